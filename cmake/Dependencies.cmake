@@ -1,0 +1,22 @@
+# Debian 12's packages; cmake/bootstrap.sh installs them.
+find_package(Threads REQUIRED)
+find_package(Vulkan REQUIRED)
+find_package(glm REQUIRED)
+find_package(pugixml REQUIRED)
+find_package(OpenEXR QUIET REQUIRED)
+find_package(PNG REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_path(LAVER_VOLK_INCLUDE volk.h REQUIRED)
+find_path(LAVER_TINYOBJ_INCLUDE tiny_obj_loader.h REQUIRED)
+find_program(LAVER_GLSLANG glslangValidator REQUIRED)
+find_program(LAVER_SPIRV_VAL spirv-val REQUIRED)
+
+add_library(laver_dependencies INTERFACE)
+target_include_directories(laver_dependencies SYSTEM INTERFACE
+  ${LAVER_VOLK_INCLUDE} ${LAVER_TINYOBJ_INCLUDE} ${Vulkan_INCLUDE_DIRS})
+target_link_libraries(laver_dependencies INTERFACE
+  Threads::Threads glm::glm pugixml::pugixml OpenEXR::OpenEXR PNG::PNG CLI11::CLI11 fmt::fmt
+  nlohmann_json::nlohmann_json ${CMAKE_DL_LIBS})
+target_compile_definitions(laver_dependencies INTERFACE VK_NO_PROTOTYPES)

@@ -1,0 +1,92 @@
+#!/bin/sh
+# From a bare Debian 12 to a picture or a test run:
+#   sh cmake/bootstrap.sh build|render|test
+set -eu
+
+root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
+build=$root/build
+
+packages='
+  ca-certificates cmake g++ glmark2-data glslang-tools libcli11-dev libfmt-dev libglm-dev
+  libgtest-dev libopenexr-dev libpng-dev libpugixml-dev libtinyobjloader-dev libvulkan-dev
+  libvulkan-volk-dev libvulkan1 mesa-vulkan-drivers ninja-build nlohmann-json3-dev spirv-tools
+  vulkan-validationlayers'
+
+usage() {
+  cat >&2 <<'TEXT'
+usage: sh cmake/bootstrap.sh COMMAND
+  build   install the Debian packages that are missing (as root), build laver into build/
+  render  build, then render scenes/bunny-whitted.xml on the CPU
+  test    build, then run the tests
+TEXT
+  exit 2
+}
+
+fail() {
+  echo "bootstrap.sh: $1" >&2
+  exit 1
+}
+
+installed() {
+  [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
+# Leaves apt alone, and so the network too, when nothing is missing.
+installPackages() {
+  command -v dpkg-query >/dev/null || fail 'this is no Debian system; see README.md for what laver needs'
+  missing=''
+  for package in $packages; do
+    installed "$package" || missing="$missing $package"
+  done
+  [ -n "$missing" ] || return 0
+  [ "$(id -u)" -eq 0 ] || fail "run as root once, or install these packages:$missing"
+  export DEBIAN_FRONTEND=noninteractive
+  apt-get update
+  # shellcheck disable=SC2086 # a list of words
+  apt-get install -y --no-install-recommends $missing
+}
+
+buildLaver() {
+  installPackages
+  cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release
+  cmake --build "$build" --parallel "$jobs"
+}
+
+render() {
+  picture=$build/bunny-whitted.exr
+  "$build/laver" "$root/scenes/bunny-whitted.xml" --device cpu -o "$picture"
+  echo "Wrote $picture and ${picture%.exr}.png"
+}
+
+# One job for each processor, but no more than one for each 1.5 GiB of memory that a compiler takes.
+countJobs() {
+  jobs=$(nproc)
+  memory=$(awk '/^MemAvailable:/ { print int($2 / 1572864) }' /proc/meminfo 2>/dev/null || :)
+  if [ -n "$memory" ] && [ "$memory" -lt "$jobs" ]; then jobs=$memory; fi
+  if [ "$jobs" -lt 1 ]; then jobs=1; fi
+}
+
+[ $# -eq 1 ] || usage
+case $1 in
+  build | render | test) ;;
+  *) usage ;;
+esac
+countJobs
+# Mesa complains where this is not set; a private empty folder will do.
+if [ -z "${XDG_RUNTIME_DIR:-}" ]; then
+  XDG_RUNTIME_DIR=$(mktemp -d)
+  export XDG_RUNTIME_DIR
+  trap 'rm -rf "$XDG_RUNTIME_DIR"' EXIT
+  trap 'exit 130' HUP INT TERM
+fi
+case $1 in
+  build) buildLaver ;;
+  render)
+    buildLaver
+    render
+    ;;
+  test)
+    buildLaver
+    ctest --test-dir "$build" --output-on-failure -LE full -j "$jobs"
+    ;;
+esac

@@ -1,0 +1,39 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+
+#include "core/error.h"
+#include "render/renderer.h"
+#include "scene/render_options.h"
+#include "scene/scene.h"
+
+namespace laver {
+
+/// `laver SCENE.xml`.
+struct RenderCommand {
+  std::string scene;
+  std::string output;  ///< EXR; empty: beside the scene
+  SceneOverrides overrides;
+  RenderOptions options;
+  VulkanOptions vulkan;
+  bool reference = false;
+  bool stats = false;
+  std::string statsFile;
+  bool quiet = false;
+};
+
+/// `laver compare A.exr B.exr`.
+struct CompareCommand {
+  std::string a, b;
+  double tolerance = 0.0;
+  bool judged = false;         ///< a tolerance was given: beyond it is ExitCode::Different
+  std::string metric = "max";  ///< what the tolerance bounds: max, p999, rmse or relmse
+};
+
+ExitCode run(const RenderCommand& command);
+ExitCode run(const CompareCommand& command);
+/// `laver devices`.
+ExitCode runDevices();
+
+}  // namespace laver

@@ -1,0 +1,51 @@
+#include "commands/metadata.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <numbers>
+
+namespace laver {
+namespace {
+
+/// FNV-1a, 64 bits, of a file's bytes.
+std::string fileHash(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (char c; in.get(c);) {
+    hash ^= static_cast<unsigned char>(c);
+    hash *= 0x100000001b3ULL;
+  }
+  return fmt::format("fnv1a64:{:016x}", hash);
+}
+
+}  // namespace
+
+glm::dmat4 cameraToNdc(const Camera& camera) {
+  const double t = std::tan(camera.fov * std::numbers::pi / 360.0);
+  const double aspect = static_cast<double>(camera.width) / camera.height;
+  const double depth = camera.farClip / (camera.farClip - camera.nearClip);
+  glm::dmat4 m(0.0);
+  m[0][0] = -0.5 / t;  // +x of camera space is left
+  m[1][1] = -0.5 * aspect / t;
+  m[2] = {0.5, 0.5, depth, 1.0};
+  m[3][2] = -camera.nearClip * depth;
+  return m;
+}
+
+Metadata metadataOf(const Scene& scene, const Stats& stats, double renderSeconds) {
+  const glm::dmat4 worldToCamera = glm::inverse(scene.camera.toWorld);
+  return {{"comments", fmt::format("laver {} of {}", LAVER_VERSION, scene.file)},
+          {"laverVersion", std::string(LAVER_VERSION)},
+          {"device", stats.device},
+          {"driver", stats.driver},
+          {"sceneHash", fileHash(scene.file)},
+          {"seed", std::to_string(scene.sampler.seed)},
+          {"renderTimeSeconds", renderSeconds},
+          {"samplesPerPixel", static_cast<int>(scene.sampler.sampleCount)},
+          {"worldToCamera", worldToCamera},
+          {"worldToNDC", cameraToNdc(scene.camera) * worldToCamera}};
+}
+
+}  // namespace laver

@@ -1,0 +1,15 @@
+#pragma once
+#include "image/io.h"
+#include "render/stats.h"
+#include "scene/scene.h"
+
+namespace laver {
+
+/// The attributes of a picture's EXR file.
+Metadata metadataOf(const Scene& scene, const Stats& stats, double renderSeconds);
+
+/// Camera space to normalised device coordinates: x from 0 at the left edge of the film to 1 at
+/// the right, y from 0 at the top, z from 0 at the near to 1 at the far plane.
+glm::dmat4 cameraToNdc(const Camera& camera);
+
+}  // namespace laver

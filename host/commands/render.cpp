@@ -1,0 +1,130 @@
+#include <fmt/format.h>
+#include <stdlib.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <future>
+#include <iostream>
+
+#include "commands/commands.h"
+#include "commands/metadata.h"
+#include "commands/progress.h"
+#include "image/atomic_file.h"
+#include "image/io.h"
+#include "reference/reference.h"
+
+namespace laver {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// As Nori prints durations.
+std::string timeText(double seconds) {
+  if (seconds < 1.0) return fmt::format("{:.1f}ms", seconds * 1e3);
+  if (seconds < 60.0) return fmt::format("{:.1f}s", seconds);
+  if (seconds < 3600.0) return fmt::format("{:.1f}m", seconds / 60.0);
+  return fmt::format("{:.1f}h", seconds / 3600.0);
+}
+
+void checkCrop(const std::optional<Crop>& crop, const Camera& camera) {
+  if (!crop) return;
+  if (crop->x0 < 0 || crop->y0 < 0 || crop->x1 > camera.width || crop->y1 > camera.height ||
+      crop->x0 >= crop->x1 || crop->y0 >= crop->y1)
+    throw Error(ExitCode::Usage,
+                fmt::format("--crop {},{},{},{}: expected 0 <= x0 < x1 <= {}, 0 <= y0 < y1 <= {}",
+                            crop->x0, crop->y0, crop->x1, crop->y1, camera.width, camera.height));
+}
+
+/// Checks what it can before a long render, so that nothing is rendered for nothing.
+std::filesystem::path outputOf(const RenderCommand& command) {
+  std::filesystem::path exr = command.output;
+  if (exr.empty()) exr = std::filesystem::path(command.scene).replace_extension(".exr");
+  if (exr.extension() != ".exr")
+    throw Error(ExitCode::Usage,
+                fmt::format("-o {}: expected a name that ends in .exr", exr.string()));
+  checkReplaceable(exr.string());
+  checkReplaceable(std::filesystem::path(exr).replace_extension(".png").string());
+  return exr;
+}
+
+void writeStats(const RenderCommand& command, const Stats& stats) {
+  if (command.statsFile.empty()) {
+    if (command.stats) std::cerr << stats.text();
+    return;
+  }
+  std::ofstream file(command.statsFile);
+  file << stats.json().dump(2) << '\n';
+  if (!file.flush()) throw Error(ExitCode::Output, command.statsFile + ": cannot be written");
+}
+
+Image render(const RenderCommand& command, const Scene& scene,
+             std::future<std::unique_ptr<Renderer>>& renderer, Stats& stats) {
+  RenderOptions options = command.options;
+  Progress progress(!command.quiet);
+  options.progress = [&](double share) { progress.show(share); };
+  if (!command.reference) return renderer.get()->render(scene, options, stats);
+  stats.device = "reference";
+  stats.driver = "double precision on the CPU";
+  stats.traversal = "reference";
+  const auto start = Clock::now();
+  const Reference reference(scene, options.threads);
+  stats.seconds.build = since(start);
+  Image image = reference.render(options);
+  stats.seconds.trace = since(start) - stats.seconds.build;
+  return image;
+}
+
+}  // namespace
+
+ExitCode run(const RenderCommand& command) {
+  const auto start = Clock::now();
+  std::future<std::unique_ptr<Renderer>> renderer;
+  if (!command.reference) {
+    // lavapipe reads its thread count when it starts.
+    if (command.options.threads != 0)
+      ::setenv("LP_NUM_THREADS", std::to_string(command.options.threads).c_str(), 0);
+    renderer =
+        std::async(std::launch::async, [&] { return std::make_unique<Renderer>(command.vulkan); });
+  }
+
+  Stats stats;
+  const LoadedScene loaded = loadScene(command.scene, command.overrides);
+  const Scene& scene = loaded.scene;
+  for (const auto& warning : loaded.warnings) std::cerr << warning << '\n';
+  checkCrop(command.options.crop, scene.camera);
+  const auto exr = outputOf(command);
+  const auto png = std::filesystem::path(exr).replace_extension(".png");
+  stats.seconds.load = since(start);
+
+  if (!command.quiet) std::cout << "Configuration: " << describe(scene) << '\n' << std::flush;
+  if (!command.quiet) std::cout << "Rendering .. " << std::flush;
+  const auto renderStart = Clock::now();
+  const Image image = render(command, scene, renderer, stats);
+  const double renderSeconds = since(renderStart);
+  if (!command.quiet) std::cout << fmt::format("done. (took {})\n", timeText(renderSeconds));
+  if (stats.droppedSamples != 0)
+    std::cerr << fmt::format(
+        "laver: warning: {} samples were negative or not finite and are left "
+        "out\n",
+        stats.droppedSamples);
+
+  const auto writeStart = Clock::now();
+  if (!command.quiet)
+    std::cout << fmt::format("Writing a {}x{} OpenEXR file to \"{}\"\n", image.width, image.height,
+                             exr.string());
+  auto pngDone = std::async(std::launch::async, [&] { writePng(png.string(), image); });
+  writeExr(exr.string(), image, metadataOf(scene, stats, renderSeconds));
+  pngDone.get();
+  stats.seconds.write = since(writeStart);
+  stats.seconds.total = since(start);
+  writeStats(command, stats);
+  if (!std::cout.flush()) throw Error(ExitCode::Output, "standard output cannot be written");
+  return ExitCode::Ok;
+}
+
+}  // namespace laver

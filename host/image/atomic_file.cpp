@@ -1,0 +1,89 @@
+#include "image/atomic_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+#include <utility>
+
+#include "core/error.h"
+
+namespace laver {
+namespace {
+
+[[noreturn]] void refuse(const std::string& file, const std::string& reason) {
+  throw Error(ExitCode::Output, fmt::format("cannot write \"{}\": {}", file, reason));
+}
+
+std::string folderOf(const std::string& file) {
+  const std::size_t slash = file.rfind('/');
+  return slash == std::string::npos ? "./" : file.substr(0, slash + 1);
+}
+
+/// Permissions of the file to be replaced, 0 if there is none.
+mode_t replaceableMode(const std::string& file) {
+  struct stat status {};
+  if (lstat(file.c_str(), &status) != 0) return 0;
+  if (S_ISDIR(status.st_mode)) refuse(file, std::generic_category().message(EISDIR));
+  if (S_ISLNK(status.st_mode)) refuse(file, "Is a symbolic link");
+  if (!S_ISREG(status.st_mode)) refuse(file, "Is not a regular file");
+  if (access(file.c_str(), W_OK) != 0) refuse(file, std::generic_category().message(errno));
+  return status.st_mode & 07777;
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(std::string file) : file_(std::move(file)) {
+  const mode_t mode = replaceableMode(file_);
+  if (file_.empty() || file_.back() == '/') refuse(file_, "The file has no name");
+  static std::atomic<unsigned> counter{0};
+  do {
+    temporary_ = fmt::format("{}.laver-{}-{}.tmp", folderOf(file_), getpid(), counter++);
+    descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  } while (descriptor_ < 0 && errno == EEXIST);
+  if (descriptor_ < 0) fail(errno);
+  if (mode != 0) static_cast<void>(fchmod(descriptor_, mode));  // some file systems have no modes
+}
+
+AtomicFile::~AtomicFile() {
+  if (descriptor_ < 0) return;
+  close(descriptor_);
+  if (!temporary_.empty()) unlink(temporary_.c_str());
+}
+
+void AtomicFile::write(std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail(errno);
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+}
+
+void AtomicFile::commit() {
+  // EINVAL: the file system cannot flush; the rename is atomic all the same.
+  if (fsync(descriptor_) != 0 && errno != EINVAL) fail(errno);
+  if (std::rename(temporary_.c_str(), file_.c_str()) != 0) fail(errno);
+  temporary_.clear();
+  const int folder = open(folderOf(file_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0) return;  // the folder may be writable but not readable
+  fsync(folder);
+  close(folder);
+}
+
+void AtomicFile::fail(int error) const { refuse(file_, std::generic_category().message(error)); }
+
+void replaceFile(const std::string& file, std::span<const std::byte> bytes) {
+  AtomicFile target(file);
+  target.write(bytes);
+  target.commit();
+}
+
+void checkReplaceable(const std::string& file) { const AtomicFile probe(file); }
+
+}  // namespace laver

@@ -1,0 +1,91 @@
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputPart.h>
+#include <OpenEXR/ImfMultiPartInputFile.h>
+#include <OpenEXR/ImfPartType.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+#include <tuple>
+
+#include "core/error.h"
+#include "image/io.h"
+
+namespace laver {
+namespace {
+
+/// Sorts by layer, and inside it R, G, B, A before the other names.
+auto channelOrder(const std::string& name) {
+  const std::size_t dot = name.rfind('.');
+  const std::size_t start = dot == std::string::npos ? 0 : dot + 1;
+  const std::string last = name.substr(start);
+  const std::size_t colour = last.size() == 1 ? std::string("RGBA").find(last) : std::string::npos;
+  return std::tuple(name.substr(0, start), colour, last);
+}
+
+std::vector<std::string> channelNames(const Imf::ChannelList& list) {
+  std::vector<std::string> names;
+  for (auto channel = list.begin(); channel != list.end(); ++channel) {
+    names.emplace_back(channel.name());
+  }
+  std::sort(names.begin(), names.end(), [](const std::string& a, const std::string& b) {
+    return channelOrder(a) < channelOrder(b);
+  });
+  return names;
+}
+
+Image decode(const std::string& file) {
+  Imf::MultiPartInputFile input(file.c_str());
+  if (input.parts() != 1) {
+    throw std::runtime_error(fmt::format("it has {} parts, and one is read", input.parts()));
+  }
+  const Imf::Header& header = input.header(0);
+  if (header.hasType() && Imf::isDeepData(header.type())) {
+    throw std::runtime_error("it holds deep data, and flat pictures are read");
+  }
+  const Imath::Box2i window = header.dataWindow();
+  Image image;
+  image.width = window.max.x - window.min.x + 1;
+  image.height = window.max.y - window.min.y + 1;
+  image.channels = channelNames(header.channels());
+  const std::size_t row = static_cast<std::size_t>(image.width) * image.channels.size();
+  const std::size_t rows = static_cast<std::size_t>(image.height);
+  if (row != 0 && rows > image.pixels.max_size() / row) throw std::runtime_error("it is too large");
+  image.pixels.resize(row * rows);
+
+  const std::size_t stride = image.channels.size() * sizeof(float);
+  Imf::FrameBuffer frame;
+  for (std::size_t c = 0; c < image.channels.size(); ++c) {
+    frame.insert(image.channels[c], Imf::Slice::Make(Imf::FLOAT, image.pixels.data() + c, window,
+                                                     stride, row * sizeof(float)));
+  }
+  Imf::InputPart part(input, 0);
+  part.setFrameBuffer(frame);
+  part.readPixels(window.min.y, window.max.y);
+  return image;
+}
+
+}  // namespace
+
+Image readExr(const std::string& file) {
+  std::string reason;
+  errno = 0;
+  if (!std::ifstream(file, std::ios::binary)) {
+    reason = std::generic_category().message(errno);
+  } else {
+    try {
+      return decode(file);
+    } catch (const std::exception& error) {
+      reason = error.what();
+      std::replace(reason.begin(), reason.end(), '\n', ' ');
+    }
+  }
+  throw Error(ExitCode::Usage, fmt::format("cannot read \"{}\": {}", file, reason));
+}
+
+}  // namespace laver

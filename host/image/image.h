@@ -1,0 +1,29 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace laver {
+
+/// Floating-point picture, row-major from the top left, channels interleaved.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<std::string> channels;  ///< names, such as R G B
+  std::vector<float> pixels;          ///< width * height * channels.size()
+
+  float& at(int x, int y, std::size_t channel) {
+    return pixels[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                   static_cast<std::size_t>(x)) *
+                      channels.size() +
+                  channel];
+  }
+  float at(int x, int y, std::size_t channel) const {
+    return const_cast<Image*>(this)->at(x, y, channel);
+  }
+};
+
+/// A black picture with channels R, G, B.
+Image rgbImage(int width, int height);
+
+}  // namespace laver

@@ -1,0 +1,26 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <map>
+#include <string>
+#include <variant>
+
+#include "image/image.h"
+
+namespace laver {
+
+/// Attributes of an EXR file by name; matrices are glm's column-vector convention.
+using Metadata = std::map<std::string, std::variant<std::string, double, int, glm::dmat4>>;
+
+/// Writes 32-bit float channels, ZIP-compressed. The file is written beside its place and renamed,
+/// so that `file` is the old or the new picture, never half of one. Throws Error(Output).
+void writeExr(const std::string& file, const Image& image, const Metadata& metadata = {});
+
+/// Reads every channel of an EXR file as float, over its data window. Names stay as in the file;
+/// they come sorted by layer and name, but R, G, B, A of a layer come first and in that order.
+/// Throws Error(Usage) if it cannot be read, and for deep data and several parts.
+Image readExr(const std::string& file);
+
+/// Writes R, G, B as 8-bit sRGB, clamped and rounded to nearest; replaced as writeExr does.
+void writePng(const std::string& file, const Image& image);
+
+}  // namespace laver

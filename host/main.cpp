@@ -1,0 +1,153 @@
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <new>
+
+#include "commands/commands.h"
+
+namespace {
+
+using namespace laver;
+
+/// Exactly the integers in `text`, divided by `separator`, or a CLI error that says what was
+/// expected.
+std::vector<int> integers(const std::string& option, const std::string& text, char separator,
+                          std::size_t count, const char* expected) {
+  std::vector<int> values;
+  std::istringstream in(text + separator);
+  for (std::string part; std::getline(in, part, separator);) {
+    int value = 0;
+    std::size_t used = 0;
+    try {
+      value = std::stoi(part, &used);
+    } catch (const std::exception&) {
+    }
+    if (part.empty() || used != part.size() || std::isspace(static_cast<unsigned char>(part[0])))
+      values.resize(count + 1);
+    values.push_back(value);
+  }
+  if (values.size() != count)
+    throw CLI::ValidationError(option, "expected " + std::string(expected) + ", not " + text);
+  return values;
+}
+
+void addRenderOptions(CLI::App& app, RenderCommand& command) {
+  app.add_option("scene", command.scene, "Nori scene, SCENE.xml")->type_name("SCENE.xml");
+  app.add_option("-o,--output,--outfile", command.output, "picture to write; a .png goes beside it")
+      ->type_name("OUT.exr");
+  app.add_option("--spp", command.overrides.sampleCount, "samples a pixel")
+      ->check(CLI::Range(1U, 1U << 20));
+  app.add_option("--seed", command.overrides.seed, "seed of the sampler");
+  app.add_option_function<std::string>(
+         "--integrator",
+         [&](const std::string& name) {
+           command.overrides.integrator = integratorFromName(name);
+           if (!command.overrides.integrator)
+             throw CLI::ValidationError("--integrator",
+                                        "expected normals, direct_whitted or "
+                                        "depth, not " +
+                                            name);
+         },
+         "normals, direct_whitted or depth")
+      ->type_name("NAME");
+  app.add_option_function<std::string>(
+         "--size",
+         [&](const std::string& text) {
+           const auto v = integers("--size", text, 'x', 2, "WIDTHxHEIGHT");
+           command.overrides.size = glm::ivec2(v[0], v[1]);
+         },
+         "size of the film in pixels")
+      ->type_name("WxH");
+  app.add_option_function<std::string>(
+         "--crop",
+         [&](const std::string& text) {
+           const auto v = integers("--crop", text, ',', 4, "x0,y0,x1,y1");
+           command.options.crop = Crop{v[0], v[1], v[2], v[3]};
+         },
+         "render pixels x0 <= x < x1, y0 <= y < y1 only")
+      ->type_name("x0,y0,x1,y1");
+  app.add_option("--device", command.vulkan.device, "index, part of the name, or cpu");
+  app.add_option("--traversal", command.vulkan.traversal, "lane");
+  app.add_flag("--reference", command.reference, "render in double precision on the CPU");
+  app.add_flag("--nori-compat", command.options.noriCompat, "filter weights from Nori's table");
+  app.add_option("-t,--threads", command.options.threads, "threads, 0 for all")
+      ->check(CLI::Range(0U, 4096U));
+  app.add_flag("--validate", command.vulkan.validate, "make every validation message an error");
+  app.add_flag_callback(
+      "--stats", [&] { command.stats = true; },
+      "print figures to stderr; --stats=FILE.json writes them");
+  app.add_flag("-q,--quiet", command.quiet, "print nothing but warnings and errors");
+  app.add_flag_callback(
+      "-b,--nogui,--no-gui", [] {}, "accepted as Nori does; there is no window");
+}
+
+/// CLI11 flags take no text; --stats=FILE.json is taken out before it looks.
+std::vector<std::string> takeStatsFile(int argc, char** argv, std::string& file) {
+  std::vector<std::string> arguments;
+  for (int i = argc - 1; i > 0; --i) {  // CLI11 wants them reversed
+    const std::string argument = argv[i];
+    if (argument.rfind("--stats=", 0) == 0)
+      file = argument.substr(8);
+    else
+      arguments.push_back(argument);
+  }
+  return arguments;
+}
+
+int fail(ExitCode code, const std::string& message) {
+  std::fprintf(stderr, "laver: %s\n", message.c_str());
+  return static_cast<int>(code);
+}
+
+int dispatch(int argc, char** argv) {
+  CLI::App app("Renders Nori scenes with Vulkan compute.", "laver");
+  app.set_version_flag("--version", std::string("laver ") + LAVER_VERSION);
+  RenderCommand render;
+  addRenderOptions(app, render);
+  CompareCommand compare;
+  CLI::App* compareApp =
+      app.add_subcommand("compare", "Measures how a picture differs from another");
+  compareApp->add_option("a", compare.a, "picture")->required()->type_name("A.exr");
+  compareApp->add_option("b", compare.b, "reference")->required()->type_name("B.exr");
+  const CLI::Option* tolerance = compareApp->add_option(
+      "--tolerance", compare.tolerance, "exit code 5 if the metric of a channel is beyond it");
+  compareApp->add_option("--metric", compare.metric, "what the tolerance bounds")
+      ->check(CLI::IsMember({"max", "p999", "rmse", "relmse"}));
+  const CLI::App* devicesApp = app.add_subcommand("devices", "Lists Vulkan devices");
+  app.require_subcommand(0, 1);
+
+  try {
+    app.parse(takeStatsFile(argc, argv, render.statsFile));
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    return fail(ExitCode::Usage, error.what());
+  }
+  compare.judged = tolerance->count() != 0;
+  if (compareApp->parsed()) return static_cast<int>(run(compare));
+  if (devicesApp->parsed()) return static_cast<int>(runDevices());
+  if (render.scene.empty()) return fail(ExitCode::Usage, "no scene given; see laver --help");
+  return static_cast<int>(run(render));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // A closed pipe is an error like any other, not the end of the process.
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    return dispatch(argc, argv);
+  } catch (const Error& error) {
+    // Scene errors are lines that begin with the file's name.
+    if (error.code() == ExitCode::Scene) {
+      std::fprintf(stderr, "%s\n", error.what());
+      return static_cast<int>(error.code());
+    }
+    return fail(error.code(), error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(ExitCode::Output, "out of memory");
+  } catch (const std::exception& error) {
+    return fail(ExitCode::Output, std::string("internal error: ") + error.what());
+  }
+}

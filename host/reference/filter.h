@@ -1,0 +1,28 @@
+#pragma once
+#include <array>
+
+#include "scene/scene.h"
+
+namespace laver::reference {
+
+/// One axis of a separable reconstruction filter.
+class FilterWeights {
+ public:
+  /// Exact weights or, with `noriCompat`, Nori's table of 32 float entries over the radius.
+  FilterWeights(const Filter& filter, bool noriCompat);
+
+  /// Weight at `distance` pixels from the pixel's centre; 0 where |distance| > radius.
+  double operator()(double distance) const;
+
+  /// A sample of pixel x may weigh in the pixels x - reach() to x + reach(). The sample lies in
+  /// [x, x + 1], both ends included, since the float sum pixel + number can round up.
+  int reach() const;
+
+ private:
+  static constexpr int resolution = 32;
+  Filter filter_;
+  bool noriCompat_;
+  std::array<float, resolution + 1> table_{};
+};
+
+}  // namespace laver::reference

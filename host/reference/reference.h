@@ -1,0 +1,59 @@
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+
+#include "image/image.h"
+#include "scene/render_options.h"
+#include "scene/scene.h"
+
+namespace laver {
+
+/// Double-precision CPU renderer, the judge of the Vulkan one: it shares the scene structs with it
+/// and nothing else.
+class Reference {
+ public:
+  /// What a camera ray meets first.
+  struct Hit {
+    std::uint32_t triangle;  ///< number in file order over all meshes
+    double t;                ///< of the camera ray: toWorld times the unit camera direction
+    double u, v;             ///< barycentric weights of the triangle's second and third corner
+  };
+
+  /// Builds its tree. The scene must outlive it. Throws Error(Scene) for 2^31 triangles or more.
+  explicit Reference(const Scene& scene, unsigned threads = 0);
+  ~Reference();
+  Reference(Reference&&) noexcept;
+  Reference& operator=(Reference&&) noexcept;
+
+  /// Radiance along the camera ray through `film`, in pixels from the top left.
+  glm::dvec3 radiance(glm::dvec2 film) const;
+
+  /// The first hit of that ray between the clipping planes. Of hits at the same t the triangle
+  /// of the smallest number wins, also where the copies list their corners differently.
+  std::optional<Hit> closest(glm::dvec2 film) const;
+
+  /// Whether radiance() at the eight film positions `delta` pixels up, down, left, right and
+  /// diagonally from `film` agrees with that at `film` to `tolerance` in every channel: no
+  /// silhouette, tie or shadow boundary lies near, so that float rounding cannot excuse a
+  /// difference. Features narrower than delta may pass between the nine. False on NaN.
+  bool decided(glm::dvec2 film, double delta, double tolerance) const;
+
+  /// Film position of a sample of a pixel, as the scene's sampler draws it.
+  glm::vec2 samplePosition(int x, int y, std::uint32_t sample) const;
+
+  /// Samples, reconstructs, and rounds to float at the very end. Throws Error(Usage) if the crop
+  /// is empty or not inside the film.
+  Image render(const RenderOptions& options = {}) const;
+
+  /// The same; `dropped` becomes the number of samples of the pixels shown that were left out,
+  /// because they were NaN, infinite or negative.
+  Image render(const RenderOptions& options, std::uint64_t& dropped) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace laver

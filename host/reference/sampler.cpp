@@ -1,0 +1,29 @@
+#include "reference/sampler.h"
+
+#include <algorithm>
+
+#include "reference/pcg32.h"
+
+namespace laver::reference {
+
+namespace {
+constexpr int blockSize = 32;            // pixels
+constexpr std::uint64_t dimensions = 4;  // numbers a sample
+}  // namespace
+
+glm::vec2 samplePosition(const Camera& camera, const Sampler& sampler, int x, int y,
+                         std::uint32_t sample) {
+  const int blockX = x / blockSize * blockSize;
+  const int blockY = y / blockSize * blockSize;
+  const int blockWidth = std::min(blockSize, camera.width - blockX);
+  const auto seed = static_cast<std::uint64_t>(sampler.seed);
+  Pcg32 random(static_cast<std::uint64_t>(blockX) + seed,
+               static_cast<std::uint64_t>(blockY) + seed);
+  const auto pixel = static_cast<std::uint64_t>((y - blockY) * blockWidth + (x - blockX));
+  random.advance(dimensions * (pixel * sampler.sampleCount + sample));
+  const float jitterY = random.nextFloat();
+  const float jitterX = random.nextFloat();
+  return {static_cast<float>(x) + jitterX, static_cast<float>(y) + jitterY};
+}
+
+}  // namespace laver::reference

@@ -1,0 +1,38 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "reference/build.h"
+#include "reference/triangle.h"
+
+namespace laver::reference {
+
+/// The nearest crossing of a ray.
+struct TreeHit {
+  const Triangle* triangle;
+  double t;         ///< at the triangle's plane
+  Weights weights;  ///< of the triangle's sorted corners
+};
+
+/// Answers what a loop over all triangles answers.
+class Tree {
+ public:
+  /// `threads` host threads, 0: all. Throws Error(Scene) for 2^31 triangles or more.
+  explicit Tree(std::vector<Triangle> triangles, unsigned threads = 0);
+
+  /// The crossing with the smallest t in [tmin, tmax]; of equal ones that of the smallest id.
+  std::optional<TreeHit> closest(const Ray& ray, double tmin, double tmax) const;
+
+  /// Whether any triangle lies between two points: the line through them crosses it and its
+  /// plane separates them.
+  bool blocked(const glm::dvec3& from, const glm::dvec3& to) const;
+
+ private:
+  template <typename Visit>
+  void walk(const Ray& ray, double tmin, double tmax, const Visit& visit) const;
+
+  std::vector<Triangle> triangles_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace laver::reference

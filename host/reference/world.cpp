@@ -1,0 +1,91 @@
+#include "reference/world.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace laver::reference {
+
+namespace {
+
+glm::dvec3 centreOf(const Scene& scene) {
+  Box box;
+  for (const Mesh& mesh : scene.meshes) {
+    for (const glm::dvec3& position : mesh.positions) box.add(position);
+  }
+  return box.lo.x <= box.hi.x ? 0.5 * box.lo + 0.5 * box.hi : glm::dvec3(0.0);
+}
+
+glm::dvec3 unit(const LongVec& vector) {
+  return glm::dvec3(vector / std::sqrt(glm::dot(vector, vector)));
+}
+
+bool finite(const LongVec& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+}  // namespace
+
+World::World(const Scene& scene, unsigned threads)
+    : scene_(&scene), centre_(centreOf(scene)), tree_(gather(), threads) {
+  std::uint64_t count = 0;
+  for (const Mesh& mesh : scene.meshes) {
+    first_.push_back(count);
+    count += mesh.triangles.size();
+  }
+}
+
+std::vector<Triangle> World::gather() const {
+  std::vector<Triangle> triangles;
+  for (const Mesh& mesh : scene_->meshes) {
+    for (const glm::uvec3& t : mesh.triangles) {
+      triangles.emplace_back(mesh.positions[t.x] - centre_, mesh.positions[t.y] - centre_,
+                             mesh.positions[t.z] - centre_,
+                             static_cast<std::uint32_t>(triangles.size()));
+    }
+  }
+  return triangles;
+}
+
+std::size_t World::meshOf(std::uint32_t id) const {
+  const auto next = std::upper_bound(first_.begin(), first_.end(), id);
+  return static_cast<std::size_t>(next - first_.begin()) - 1;
+}
+
+Surface World::surface(const TreeHit& hit) const {
+  const Triangle& triangle = *hit.triangle;
+  const std::size_t index = meshOf(triangle.id);
+  const Mesh& mesh = scene_->meshes[index];
+  const glm::uvec3& indices = mesh.triangles[triangle.id - first_[index]];
+
+  LongVec position(0.0L);
+  glm::dvec3 size(0.0);  // largest |coordinate| of the corners
+  for (std::size_t i = 0; i < 3; ++i) {
+    position += static_cast<long double>(hit.weights[i]) * LongVec(triangle.corner[i]);
+    size = glm::max(size, glm::abs(triangle.corner[i]));
+  }
+
+  // Sorting the corners turns the winding with each odd permutation.
+  const bool turned = (triangle.place[1] + 3 - triangle.place[0]) % 3 == 2;
+  Surface surface{};
+  surface.position = glm::dvec3(position);
+  surface.geometric = unit(turned ? -triangle.normal() : triangle.normal());
+  surface.shading = surface.geometric;
+  surface.albedo = mesh.bsdf.albedo;
+  // The error of the position off its plane: half an ulp a component, and as much again for the
+  // moved position, is below 2 * 2^-53 * sum |n_i| size_i; 8 leaves room for neighbours whose
+  // corners were rounded out of a common plane.
+  surface.offset = 8 * 0x1p-53 * glm::dot(glm::abs(surface.geometric), size);
+
+  if (!mesh.normals.empty()) {
+    const Weights weights = triangle.asGiven(hit.weights);
+    LongVec sum(0.0L);
+    for (int i = 0; i < 3; ++i) {
+      sum += static_cast<long double>(weights[static_cast<std::size_t>(i)]) *
+             LongVec(mesh.normals[indices[i]]);
+    }
+    if (finite(sum) && glm::dot(sum, sum) > 0.0L) surface.shading = unit(sum);
+  }
+  return surface;
+}
+
+}  // namespace laver::reference

@@ -1,0 +1,50 @@
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <vector>
+
+#include "reference/camera.h"
+#include "reference/tree.h"
+#include "scene/scene.h"
+
+namespace laver::reference {
+
+/// The point that a ray met, in coordinates relative to World::centre().
+struct Surface {
+  glm::dvec3 position;   ///< the weighted mean of the corners
+  glm::dvec3 geometric;  ///< unit normal of the triangle's plane, by its winding
+  glm::dvec3 shading;    ///< unit normal from the vertex normals, else the geometric one
+  glm::dvec3 albedo;
+  double offset;  ///< distance along a normal that no rounding of `position` exceeds
+};
+
+/// A scene's triangles in a tree, numbered in file order over all meshes. Coordinates are relative
+/// to the centre of the meshes' box, which spares digits where a scene lies far from 0.
+class World {
+ public:
+  /// The scene must outlive it. `threads` host threads, 0: all.
+  World(const Scene& scene, unsigned threads);
+
+  glm::dvec3 centre() const { return centre_; }
+  const Tree& tree() const { return tree_; }
+  Surface surface(const TreeHit& hit) const;
+
+ private:
+  std::size_t meshOf(std::uint32_t id) const;
+  std::vector<Triangle> gather() const;
+
+  const Scene* scene_;
+  std::vector<std::uint64_t> first_;  // number of each mesh's first triangle
+  glm::dvec3 centre_;
+  Tree tree_;
+};
+
+/// Radiance that arrives along a camera ray, by the scene's integrator; 0 for a miss.
+///   normals         |n|, n the shading normal
+///   direct_whitted  sum over point lights of radiance / r^2 * n.wi * albedo / pi, where
+///                   n.wi > 0, n.wo > 0, r^2 > 0 and nothing lies between
+///   depth           1 / distance from the camera, in world units
+glm::dvec3 radiance(const World& world, const Scene& scene, const CameraRay& camera);
+
+}  // namespace laver::reference

@@ -1,0 +1,12 @@
+#pragma once
+#include "render/scene_data.h"
+
+namespace laver {
+
+/// Fills the camera's part of data.params from data.space; needs it set.
+void packCamera(const Scene& scene, SceneData& data);
+
+/// Fills the filter's part of data.params and data.constants.
+void packFilter(const Filter& filter, bool noriCompat, SceneData& data);
+
+}  // namespace laver

@@ -1,0 +1,81 @@
+#include "render/device_scene.h"
+
+#include <array>
+#include <bit>
+
+namespace laver {
+namespace {
+
+constexpr VkFormat kTexels = VK_FORMAT_R32G32B32A32_UINT;
+
+std::array<VkDescriptorType, shared::BINDINGS> bindingTypes() {
+  std::array<VkDescriptorType, shared::BINDINGS> types;
+  types.fill(VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER);
+  types[shared::BIND_PARAMS] = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+  for (const auto b :
+       {shared::BIND_RADIANCE, shared::BIND_WEIGHTS, shared::BIND_FILM, shared::BIND_STATUS})
+    types[b] = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+  return types;
+}
+
+/// lavapipe compiles a kernel anew when a texel buffer's size becomes or ceases to be a power of
+/// two: none is.
+VkDeviceSize notPowerOfTwo(VkDeviceSize bytes, VkDeviceSize texel) {
+  const VkDeviceSize texels = bytes / texel;
+  return (std::has_single_bit(texels) ? texels + 1 : texels) * texel;
+}
+
+}  // namespace
+
+DeviceScene::DeviceScene(const Device& device, const SceneData& data, const RenderPlan& plan)
+    : device_(device), bindings_(device, bindingTypes()) {
+  Buffer params(device, "parameters", Buffer::Use::Uniform, sizeof data.params);
+  params.upload(std::as_bytes(std::span(&data.params, 1)));
+  bindings_.bind(shared::BIND_PARAMS, params);
+  buffers_.push_back(std::move(params));
+
+  uploadTexels(shared::BIND_NODES, "BVH nodes", data.bvh.nodes);
+  uploadTexels(shared::BIND_TRIANGLES, "triangles", data.bvh.triangles);
+  uploadTexels(shared::BIND_ATTRIBUTES, "attributes", data.attributes);
+  uploadTexels(shared::BIND_NORMALS, "normals", data.normals);
+  uploadTexels(shared::BIND_MATERIALS, "materials", data.materials);
+  uploadTexels(shared::BIND_LIGHTS, "lights", data.lights);
+  uploadTexels(shared::BIND_JUMPS, "sampler tables", data.jumps);
+
+  Buffer radiance(device, "samples", Buffer::Use::StorageTexels,
+                  notPowerOfTwo(plan.sampleSlots * kRadianceBytes, 16));
+  bindings_.bind(shared::BIND_RADIANCE, radiance);
+  bindTexels(shared::BIND_RADIANCE_TEXELS, radiance, VK_FORMAT_R32G32B32A32_SFLOAT);
+  buffers_.push_back(std::move(radiance));
+  Buffer weights(
+      device, "filter weights", Buffer::Use::StorageTexels,
+      notPowerOfTwo(plan.sampleSlots * weightBytes(data.constants[shared::SPEC_APRON]), 4));
+  bindings_.bind(shared::BIND_WEIGHTS, weights);
+  bindTexels(shared::BIND_WEIGHT_TEXELS, weights, VK_FORMAT_R32_SFLOAT);
+  buffers_.push_back(std::move(weights));
+
+  film_ = Buffer(device, "film", Buffer::Use::Storage, plan.bandPixels * sizeof(shared::FilmPixel));
+  bindings_.bind(shared::BIND_FILM, film_);
+  status_ = Buffer(device, "status", Buffer::Use::Storage, sizeof(shared::Status));
+  bindings_.bind(shared::BIND_STATUS, status_);
+  status_.fillZero();
+}
+
+void DeviceScene::bindTexels(std::uint32_t binding, const Buffer& buffer, VkFormat format) {
+  views_.push_back(buffer.texelView(format));
+  bindings_.bind(binding, views_.back().get());
+}
+
+template <class T>
+void DeviceScene::uploadTexels(std::uint32_t binding, const char* what,
+                               const std::vector<T>& data) {
+  static_assert(sizeof(T) % 16 == 0);
+  // A kernel that does not read the binding still needs something bound there.
+  const VkDeviceSize bytes = std::max<VkDeviceSize>(data.size() * sizeof(T), 3 * 16);
+  Buffer buffer(device_, what, Buffer::Use::Texels, notPowerOfTwo(bytes, 16));
+  if (!data.empty()) buffer.upload(std::as_bytes(std::span(data)));
+  bindTexels(binding, buffer, kTexels);
+  buffers_.push_back(std::move(buffer));
+}
+
+}  // namespace laver

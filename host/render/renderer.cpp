@@ -1,0 +1,213 @@
+#include "render/renderer.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <numeric>
+#include <optional>
+
+#include "core/parallel.h"
+#include "render/device_scene.h"
+#include "render/plan.h"
+#include "vulkan/kernel.h"
+
+namespace laver {
+namespace {
+
+/// Adds the time until its end to `seconds`.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& seconds) : seconds_(seconds) {}
+  ~Stopwatch() {
+    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  double& seconds_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// A stride that visits all of 0 .. rows - 1 in an even mix: coprime to rows, near 0.618 of it.
+std::uint32_t rowStride(std::uint32_t rows) {
+  auto stride = std::max(1U, static_cast<std::uint32_t>(0.618 * rows));
+  while (std::gcd(stride, rows) != 1) ++stride;
+  return stride;
+}
+
+std::uint32_t groups(std::uint32_t count, std::uint32_t size) { return (count + size - 1) / size; }
+
+/// The picture's part of a band, from its sums: rgb / weight, 0 where no weight fell.
+void resolve(std::span<const shared::FilmPixel> film, int firstRow, Image& image) {
+  for (std::size_t i = 0; i < film.size(); ++i) {
+    const glm::dvec4 total = glm::dvec4(film[i].sum) + glm::dvec4(film[i].rest);
+    const glm::dvec3 rgb = total.w == 0.0 ? glm::dvec3(0.0) : glm::dvec3(total) / total.w;
+    const std::size_t at =
+        (static_cast<std::size_t>(firstRow) * static_cast<std::size_t>(image.width) + i) * 3;
+    for (int c = 0; c < 3; ++c)
+      image.pixels[at + static_cast<std::size_t>(c)] = static_cast<float>(rgb[c]);
+  }
+}
+
+/// One picture: bands outside, passes inside.
+class Render {
+ public:
+  Render(const Device& device, const SceneData& data, const RenderPlan& plan, const Scene& scene,
+         const RenderOptions& options, Stats& stats)
+      : device_(device), data_(data), plan_(plan), scene_(scene), options_(options), stats_(stats) {
+    {
+      const Stopwatch watch(stats.seconds.upload);
+      onDevice_.emplace(device, data, plan);
+    }
+    const Stopwatch watch(stats.seconds.compile);
+    trace_.emplace(device, onDevice_->bindings(), integratorName(scene.integrator), data.constants,
+                   sizeof(shared::Pass));
+    gather_.emplace(device, onDevice_->bindings(), "gather", data.constants, sizeof(shared::Pass));
+    // lavapipe makes machine code at the first dispatch: one of no groups.
+    const shared::Pass nothing{};
+    device.run([&](VkCommandBuffer commands) {
+      trace_->dispatch(commands, onDevice_->bindings(), bytes(nothing), {0, 1, 1});
+      gather_->dispatch(commands, onDevice_->bindings(), bytes(nothing), {0, 1, 1});
+    });
+  }
+
+  Image run() {
+    const Crop core = plan_.core;
+    Image image = rgbImage(core.x1 - core.x0, core.y1 - core.y0);
+    std::vector<shared::FilmPixel> film;
+    for (int y = core.y0; y < core.y1; y += static_cast<int>(plan_.bandRows)) {
+      const Crop band{core.x0, y, core.x1, std::min(core.y1, y + static_cast<int>(plan_.bandRows))};
+      onDevice_->film().fillZero();
+      renderBand(band);
+      const Stopwatch watch(stats_.seconds.readBack);
+      film.resize(static_cast<std::size_t>(band.x1 - band.x0) *
+                  static_cast<std::size_t>(band.y1 - band.y0));
+      onDevice_->film().download(std::as_writable_bytes(std::span(film)));
+      resolve(film, y - core.y0, image);
+      ++stats_.bands;
+    }
+    stats_.droppedSamples = status().dropped;
+    return image;
+  }
+
+ private:
+  static std::span<const std::byte> bytes(const shared::Pass& pass) {
+    return std::as_bytes(std::span(&pass, 1));
+  }
+
+  shared::Status status() const {
+    shared::Status status;
+    onDevice_->status().download(std::as_writable_bytes(std::span(&status, 1)));
+    return status;
+  }
+
+  void renderBand(const Crop& band) {
+    shared::Pass pass{};
+    pass.region = regionOf(band, data_.constants[shared::SPEC_APRON], scene_.camera.width,
+                           scene_.camera.height);
+    pass.core = {band.x0, band.y0, band.x1 - band.x0, band.y1 - band.y0};
+    const std::uint32_t rows = groups(pass.region.w, 8);
+    pass.samples.z = rows;
+    pass.samples.w = rowStride(rows);
+    const std::uint32_t samples = scene_.sampler.sampleCount;
+    for (std::uint32_t first = 0; first < samples; first += plan_.samplesAPass) {
+      pass.samples.x = first;
+      pass.samples.y = std::min(plan_.samplesAPass, samples - first);
+      tracePass(pass);
+      const Stopwatch watch(stats_.seconds.reconstruct);
+      device_.run([&](VkCommandBuffer commands) {
+        gather_->dispatch(commands, onDevice_->bindings(), bytes(pass),
+                          {groups(pass.core.z, shared::GATHER_GROUP_X),
+                           groups(pass.core.w, shared::GATHER_GROUP_Y), 1});
+      });
+      ++stats_.passes;
+      reportProgress(band, first + pass.samples.y);
+    }
+  }
+
+  /// Traces the samples of a pass: all lights in one dispatch, or a few in each of several.
+  void tracePass(shared::Pass pass) {
+    const Stopwatch watch(stats_.seconds.trace);
+    const auto lights = static_cast<std::uint32_t>(data_.lights.size());
+    std::uint32_t first = 0;
+    do {
+      const std::uint32_t count = std::min(lights - first, shared::LIGHTS_A_DISPATCH);
+      pass.lights = {first, count, first == 0 ? 1 : 0, first + count == lights ? 1 : 0};
+      device_.run([&](VkCommandBuffer commands) {
+        trace_->dispatch(commands, onDevice_->bindings(), bytes(pass),
+                         {groups(pass.region.z, 8), pass.samples.z, pass.samples.y});
+      });
+      first += count;
+    } while (first < lights);
+    if (const std::uint32_t given = status().incomplete; given != 0)
+      throw Error(
+          ExitCode::Device,
+          fmt::format("{} rays were not traced to their end: one invocation may run {} loop "
+                      "iterations and keep {} stack entries",
+                      given, shared::MAX_ITERATIONS, data_.constants[shared::SPEC_STACK]));
+  }
+
+  void reportProgress(const Crop& band, std::uint32_t samplesDone) const {
+    if (!options_.progress) return;
+    const double rows = plan_.core.y1 - plan_.core.y0;
+    const double share = static_cast<double>(samplesDone) / scene_.sampler.sampleCount;
+    options_.progress((band.y0 - plan_.core.y0 + share * (band.y1 - band.y0)) / rows);
+  }
+
+  const Device& device_;
+  const SceneData& data_;
+  const RenderPlan& plan_;
+  const Scene& scene_;
+  const RenderOptions& options_;
+  Stats& stats_;
+  std::optional<DeviceScene> onDevice_;
+  std::optional<Kernel> trace_, gather_;
+};
+
+}  // namespace
+
+struct Renderer::Impl {
+  explicit Impl(const VulkanOptions& o)
+      : options(o), instance(o.validate), device(choosePhysicalDevice(instance, o.device)) {}
+  VulkanOptions options;
+  Instance instance;
+  Device device;
+  double startSeconds = 0;
+};
+
+Renderer::Renderer(const VulkanOptions& options) {
+  if (!options.traversal.empty() && options.traversal != "lane")
+    throw Error(ExitCode::Usage,
+                fmt::format("no traversal is named \"{}\"; there is: lane", options.traversal));
+  double seconds = 0;
+  {
+    const Stopwatch watch(seconds);
+    impl_ = std::make_unique<Impl>(options);
+  }
+  impl_->startSeconds = seconds;
+}
+
+Renderer::~Renderer() = default;
+
+Image Renderer::render(const Scene& scene, const RenderOptions& options, Stats& stats) {
+  const Device& device = impl_->device;
+  stats.device = device.name();
+  stats.driver = device.driver();
+  stats.traversal = "lane";
+  stats.seconds.vulkanStart = impl_->startSeconds;
+
+  const SceneData data = packScene(scene, options, impl_->options.generic);
+  stats.describe(data);
+  for (const Mesh& mesh : scene.meshes) stats.droppedTriangles += mesh.droppedTriangles;
+  const Crop core = options.crop.value_or(Crop{0, 0, scene.camera.width, scene.camera.height});
+  const RenderPlan plan = planRender(device.limits(), core, scene.camera.width, scene.camera.height,
+                                     data.constants[shared::SPEC_APRON], scene.sampler.sampleCount,
+                                     impl_->options.samplesInFlight);
+  stats.samplesAPass = plan.samplesAPass;
+  stats.samples = static_cast<std::uint64_t>(core.x1 - core.x0) *
+                  static_cast<std::uint64_t>(core.y1 - core.y0) * scene.sampler.sampleCount;
+  Image image = Render(device, data, plan, scene, options, stats).run();
+  impl_->instance.throwIfInvalid();
+  return image;
+}
+
+}  // namespace laver

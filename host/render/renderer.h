@@ -1,0 +1,38 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "image/image.h"
+#include "render/stats.h"
+#include "scene/render_options.h"
+#include "scene/scene.h"
+
+namespace laver {
+
+/// Choices of the Vulkan renderer.
+struct VulkanOptions {
+  std::string device;                 ///< as choosePhysicalDevice takes it
+  bool validate = false;              ///< every validation message is an error
+  std::string traversal;              ///< empty: the device's best; only "lane" so far
+  std::uint64_t samplesInFlight = 0;  ///< for tests: 0 is the renderer's own choice
+  bool generic = false;               ///< for tests: kernels not specialised to the scene
+};
+
+/// A Vulkan device ready to render. Starting takes tens of milliseconds: do it beside loading.
+class Renderer {
+ public:
+  /// Throws Error(Device).
+  explicit Renderer(const VulkanOptions& options);
+  ~Renderer();
+
+  /// Renders the film or its crop. Throws Error(Device) for a limit, a lost device, or, with
+  /// `validate`, the first message. Fills `stats` but for loading and writing.
+  Image render(const Scene& scene, const RenderOptions& options, Stats& stats);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace laver

@@ -1,0 +1,67 @@
+#include "render/sampler_data.h"
+
+#include <algorithm>
+
+namespace laver {
+namespace {
+
+constexpr std::uint64_t kMultiplier = 6364136223846793005ULL;
+constexpr std::uint64_t kBlockPixels = 32 * 32;
+constexpr std::uint64_t kNumbersPerSample = 4;
+/// Samples that the first of the two tables by sample covers.
+constexpr std::uint32_t kLowSamples = 1024;
+
+/// First `a`, then `b`.
+PcgJump then(PcgJump a, PcgJump b) {
+  return {b.multiplier * a.multiplier, b.multiplier * a.increments + b.increments};
+}
+
+glm::uvec2 halves(std::uint64_t x) {
+  return {static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(x >> 32)};
+}
+
+/// Appends jumps by first, first + step, ... , `count` of them.
+void appendTable(std::vector<shared::Jump>& table, std::uint64_t first, std::uint64_t step,
+                 std::uint64_t count) {
+  PcgJump jump = pcgJump(first);
+  const PcgJump next = pcgJump(step);
+  for (std::uint64_t i = 0; i < count; ++i) {
+    table.push_back({halves(jump.multiplier), halves(jump.increments)});
+    jump = then(jump, next);
+  }
+}
+
+}  // namespace
+
+PcgJump pcgJump(std::uint64_t steps) {
+  PcgJump result, power{kMultiplier, 1};
+  for (; steps != 0; steps >>= 1) {
+    if ((steps & 1U) != 0) result = then(result, power);
+    power = then(power, power);
+  }
+  return result;
+}
+
+void packSampler(const Scene& scene, bool generic, SceneData& data) {
+  const std::uint32_t samples = scene.sampler.sampleCount;
+  // By pixel of the block, with the step that ends PCG32's seeding.
+  appendTable(data.jumps, 1, kNumbersPerSample * samples, kBlockPixels);
+  const std::uint32_t low = std::min(samples, kLowSamples);
+  data.params.jumps = {static_cast<std::uint32_t>(data.jumps.size()), 0, low, 0};
+  std::uint32_t levels = 1;
+  if (samples > 1 || generic) {
+    levels = 2;
+    appendTable(data.jumps, 0, kNumbersPerSample, low);
+  }
+  if (samples > low || generic) {
+    levels = 3;
+    data.params.jumps.y = static_cast<std::uint32_t>(data.jumps.size());
+    appendTable(data.jumps, 0, kNumbersPerSample * low, (samples + low - 1) / low);
+  }
+  data.constants[shared::SPEC_JUMP_LEVELS] = levels;
+  data.params.film.z = samples;
+  const auto seed = static_cast<std::uint64_t>(scene.sampler.seed);
+  data.params.seed = {halves(seed), 0, 0};
+}
+
+}  // namespace laver

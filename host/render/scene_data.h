@@ -1,0 +1,49 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "bvh/bvh.h"
+#include "scene/render_options.h"
+#include "scene/scene.h"
+#include "shared/layout.h"
+
+namespace laver {
+
+/// Space of the kernels: p' = scale * (p - centre), so that all vertices lie in [-1, 1]^3. The
+/// scale is a power of two; without meshes the space is the scene's own.
+struct Normalisation {
+  glm::dvec3 centre{0.0};
+  double scale = 1.0;
+  glm::dvec3 apply(glm::dvec3 p) const { return (p - centre) * scale; }
+};
+Normalisation normalisationOf(const Scene& scene);
+
+/// What is left out because the scene does not need it, and the constants that say so.
+using SpecConstants = std::array<std::uint32_t, shared::SPEC_CONSTANTS>;
+
+/// A scene in the layout of the kernels; empty arrays are not uploaded.
+struct SceneData {
+  Normalisation space;
+  Bvh bvh;
+  std::vector<shared::Attributes> attributes;  ///< one a triangle, in the order of the leaves
+  std::vector<glm::vec4> normals;
+  std::vector<shared::Material> materials;
+  std::vector<shared::Light> lights;
+  std::vector<shared::Jump> jumps;
+  shared::Params params{};
+  SpecConstants constants{};
+  std::uint64_t triangles = 0;           ///< uploaded
+  std::uint64_t collapsedTriangles = 0;  ///< two corners fell together when rounded to float
+  double buildSeconds = 0;               ///< of the tree
+};
+
+/// Rounds, builds and packs. With `generic` the kernels are not specialised to the scene: for
+/// tests, which show that the picture keeps its bits.
+SceneData packScene(const Scene& scene, const RenderOptions& options, bool generic = false);
+
+/// Pixels on each side of a sample's own that a filter of that radius can reach.
+std::uint32_t apronOf(double radius);
+
+}  // namespace laver

@@ -1,0 +1,88 @@
+#include "render/stats.h"
+
+#include <fmt/format.h>
+
+namespace laver {
+
+void Stats::describe(const SceneData& data) {
+  triangles = data.triangles;
+  collapsedTriangles = data.collapsedTriangles;
+  nodes = data.bvh.nodes.size();
+  leaves = data.bvh.leaves;
+  depth = data.bvh.depth;
+  stack = data.bvh.stack;
+  sahCost = data.bvh.sahCost;
+  nodeBytes = nodes * sizeof(shared::Node);
+  triangleBytes = data.bvh.triangles.size() * sizeof(shared::Triangle);
+  attributeBytes = data.attributes.size() * sizeof(shared::Attributes) +
+                   data.normals.size() * sizeof(glm::vec4) +
+                   data.materials.size() * sizeof(shared::Material);
+  seconds.build = data.buildSeconds;
+  const SpecConstants& c = data.constants;
+  if (c[shared::SPEC_NORMALS] == 0) leftOut.emplace_back("vertex normals: none needed");
+  if (c[shared::SPEC_ALBEDOS] == 0) leftOut.emplace_back("materials: one albedo or none needed");
+  if (c[shared::SPEC_LIGHTS] == 0) leftOut.emplace_back("shadow rays: no light needed");
+  if (c[shared::SPEC_JUMP_LEVELS] < 3)
+    leftOut.push_back(fmt::format("sampler tables: {} of 3 needed", c[shared::SPEC_JUMP_LEVELS]));
+}
+
+nlohmann::json Stats::json() const {
+  return {{"device", device},
+          {"driver", driver},
+          {"traversal", traversal},
+          {"seconds",
+           {{"vulkanStart", seconds.vulkanStart},
+            {"load", seconds.load},
+            {"build", seconds.build},
+            {"upload", seconds.upload},
+            {"compile", seconds.compile},
+            {"trace", seconds.trace},
+            {"reconstruct", seconds.reconstruct},
+            {"readBack", seconds.readBack},
+            {"write", seconds.write},
+            {"total", seconds.total}}},
+          {"triangles",
+           {{"uploaded", triangles},
+            {"droppedZeroArea", droppedTriangles},
+            {"droppedCollapsed", collapsedTriangles}}},
+          {"bvh",
+           {{"nodes", nodes},
+            {"leaves", leaves},
+            {"depth", depth},
+            {"stack", stack},
+            {"sahCost", sahCost},
+            {"nodeBytes", nodeBytes},
+            {"triangleBytes", triangleBytes},
+            {"attributeBytes", attributeBytes}}},
+          {"samples",
+           {{"total", samples},
+            {"dropped", droppedSamples},
+            {"perPass", samplesAPass},
+            {"passes", passes},
+            {"bands", bands}}},
+          {"leftOut", leftOut}};
+}
+
+std::string Stats::text() const {
+  const auto ms = [](double s) { return fmt::format("{:.1f} ms", s * 1e3); };
+  std::string out;
+  out += fmt::format("device       {} ({}), traversal {}\n", device, driver, traversal);
+  out += fmt::format("triangles    {} ({} of zero area and {} collapsed in float left out)\n",
+                     triangles, droppedTriangles, collapsedTriangles);
+  out += fmt::format("bvh          {} nodes, {} leaves, depth {}, stack {}, SAH cost {:.2f}\n",
+                     nodes, leaves, depth, stack, sahCost);
+  out += fmt::format("bytes        nodes {}, triangles {}, attributes {}\n", nodeBytes,
+                     triangleBytes, attributeBytes);
+  out += fmt::format("samples      {} in {} passes of {} a pixel, {} bands, {} dropped\n", samples,
+                     passes, samplesAPass, bands, droppedSamples);
+  out += fmt::format(
+      "time         Vulkan start {}, load {}, build {}, upload {}, compile {}, trace {}, "
+      "reconstruct {}, read back {}, write {}, total {}\n",
+      ms(seconds.vulkanStart), ms(seconds.load), ms(seconds.build), ms(seconds.upload),
+      ms(seconds.compile), ms(seconds.trace), ms(seconds.reconstruct), ms(seconds.readBack),
+      ms(seconds.write), ms(seconds.total));
+  for (const auto& line : leftOut) out += fmt::format("left out     {}\n", line);
+  return out;
+}
+
+}  // namespace laver

@@ -1,0 +1,30 @@
+#pragma once
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "render/scene_data.h"
+
+namespace laver {
+
+/// What --stats tells. Seconds are of the host's clock; parts that run side by side overlap.
+struct Stats {
+  struct Seconds {
+    double vulkanStart = 0, load = 0, build = 0, upload = 0, compile = 0, trace = 0;
+    double reconstruct = 0, readBack = 0, write = 0, total = 0;
+  } seconds;
+  std::string device, driver, traversal;
+  std::uint64_t triangles = 0, collapsedTriangles = 0, droppedTriangles = 0;
+  std::uint64_t nodes = 0, leaves = 0, nodeBytes = 0, triangleBytes = 0, attributeBytes = 0;
+  std::uint32_t depth = 0, stack = 0;
+  double sahCost = 0;
+  std::uint32_t passes = 0, bands = 0, samplesAPass = 0;
+  std::uint64_t samples = 0, droppedSamples = 0;
+  std::vector<std::string> leftOut;  ///< what the kernels do without, and why
+
+  void describe(const SceneData& data);
+  nlohmann::json json() const;
+  std::string text() const;
+};
+
+}  // namespace laver

@@ -1,0 +1,120 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "scene/scene.h"
+
+namespace laver {
+namespace {
+
+struct IntegratorName {
+  Integrator integrator;
+  const char* name;    // in the XML
+  const char* object;  // in the dump
+};
+constexpr std::array kIntegrators = {
+    IntegratorName{Integrator::Normals, "normals", "NormalIntegrator"},
+    IntegratorName{Integrator::DirectWhitted, "direct_whitted", "DirectWhittedIntegrator"},
+    IntegratorName{Integrator::Depth, "depth", "DepthIntegrator"}};
+
+const IntegratorName& entry(Integrator integrator) {
+  for (const IntegratorName& candidate : kIntegrators) {
+    if (candidate.integrator == integrator) return candidate;
+  }
+  return kIntegrators[0];
+}
+
+// No negative zero.
+double plain(double x) { return x == 0.0 ? 0.0 : x; }
+
+std::string triple(const glm::dvec3& v) {
+  return fmt::format("[{:g}, {:g}, {:g}]", plain(v.x), plain(v.y), plain(v.z));
+}
+
+// Rows, the later ones under the first number.
+std::string rows(const glm::dmat4& m, std::size_t column) {
+  std::string text = "[";
+  for (int r = 0; r < 4; ++r) {
+    text += fmt::format("{:g}, {:g}, {:g}, {:g}", plain(m[0][r]), plain(m[1][r]), plain(m[2][r]),
+                        plain(m[3][r]));
+    text += r < 3 ? ";\n" + std::string(column + 1, ' ') : "]";
+  }
+  return text;
+}
+
+std::string describeFilter(const Filter& filter) {
+  switch (filter.kind) {
+    case Filter::Kind::Gaussian:
+      return fmt::format("GaussianFilter[radius={:f}, stddev={:f}]", filter.radius, filter.stddev);
+    case Filter::Kind::Mitchell:
+      return fmt::format("MitchellNetravaliFilter[radius={:f}, B={:f}, C={:f}]", filter.radius,
+                         filter.B, filter.C);
+    case Filter::Kind::Tent:
+      return "TentFilter[]";
+    case Filter::Kind::Box:
+      return "BoxFilter[]";
+  }
+  return {};
+}
+
+std::string describeSampler(const Sampler& sampler) {
+  const std::string seed = sampler.seed == 0 ? "" : fmt::format(", seed={}", sampler.seed);
+  return fmt::format("Independent[sampleCount={}{}]", sampler.sampleCount, seed);
+}
+
+std::string describeCamera(const Camera& camera, const Filter& filter) {
+  const std::string key = "    cameraToWorld = ";
+  return fmt::format(
+      "PerspectiveCamera[\n{}{},\n    outputSize = [{}, {}],\n    fov = {:f},\n"
+      "    clip = [{:f}, {:f}],\n    rfilter = {}\n  ]",
+      key, rows(camera.toWorld, key.size()), camera.width, camera.height, camera.fov,
+      camera.nearClip, camera.farClip, describeFilter(filter));
+}
+
+std::string describeLight(const PointLight& light) {
+  return fmt::format("    PointEmitter[\n      position = {},\n      radiance = {}\n    ]",
+                     triple(light.position), triple(light.radiance));
+}
+
+std::string describeMesh(const Mesh& mesh) {
+  return fmt::format(
+      "    Mesh[\n      name = \"{}\",\n      vertexCount = {},\n      triangleCount = {},\n"
+      "      bsdf = Diffuse[\n        albedo = {}\n      ],\n      emitter = null\n    ]",
+      mesh.name, mesh.positions.size(), mesh.triangles.size(), triple(mesh.bsdf.albedo));
+}
+
+template <class T>
+std::string list(const std::vector<T>& items, std::string (*describeItem)(const T&)) {
+  std::string text = "{\n";
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    text += describeItem(items[i]);
+    text += i + 1 < items.size() ? ",\n" : "\n";
+  }
+  return text + "  }";
+}
+
+}  // namespace
+
+const char* integratorName(Integrator integrator) { return entry(integrator).name; }
+
+std::optional<Integrator> integratorFromName(const std::string& name) {
+  for (const IntegratorName& candidate : kIntegrators) {
+    if (candidate.name == name) return candidate.integrator;
+  }
+  return std::nullopt;
+}
+
+std::string describe(const Scene& scene) {
+  // The missing comma behind the sampler is Nori's.
+  std::string text = fmt::format(
+      "Scene[\n  integrator = {}[],\n  sampler = {}\n  camera = {},\n  medium = null,\n"
+      "  envEmitter = null,\n",
+      entry(scene.integrator).object, describeSampler(scene.sampler),
+      describeCamera(scene.camera, scene.filter));
+  if (!scene.lights.empty()) {
+    text += fmt::format("  emitters = {},\n", list(scene.lights, describeLight));
+  }
+  return text + fmt::format("  meshes = {}\n]", list(scene.meshes, describeMesh));
+}
+
+}  // namespace laver

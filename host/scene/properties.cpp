@@ -1,0 +1,73 @@
+#include "scene/properties.h"
+
+#include <fmt/format.h>
+
+namespace laver::xml {
+
+std::string nameOf(const ObjectRule& rule) {
+  if (*rule.type == '\0') return fmt::format("<{}>", rule.tag);
+  return fmt::format("{} \"{}\"", rule.tag, rule.type);
+}
+
+Properties::Properties(const ObjectRule& rule, std::size_t offset, Diagnostics& diagnostics)
+    : rule_(rule), offset_(offset), diagnostics_(diagnostics) {
+  for (const PropertyRule& property : rule.properties) {
+    Slot slot{{}, offset, false, property.fallback != nullptr};
+    if (property.type == PropertyType::Transform) {
+      slot.value = glm::dmat4(1.0);
+    } else if (slot.usable) {
+      parseValue(property.type, property.fallback, slot.value);
+    }
+    slots_.push_back(std::move(slot));
+  }
+}
+
+std::size_t Properties::find(std::string_view name) const {
+  std::size_t index = 0;
+  while (index < rule_.properties.size() && rule_.properties[index].name != name) ++index;
+  return index;
+}
+
+void Properties::set(std::size_t index, Value value, std::size_t offset) {
+  slots_[index] = {std::move(value), offset, true, true};
+}
+
+void Properties::spoil(std::size_t index, std::size_t offset) {
+  slots_[index].given = true;
+  slots_[index].offset = offset;
+}
+
+void Properties::checkRequired() const {
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    const PropertyRule& property = rule_.properties[i];
+    if (property.fallback != nullptr || slots_[i].given) continue;
+    diagnostics_.error(offset_, fmt::format("{} needs the property <{} name=\"{}\">", nameOf(rule_),
+                                            tagOf(property.type), property.name));
+  }
+}
+
+double Properties::real(std::string_view name) const { return std::get<double>(slot(name).value); }
+
+std::int64_t Properties::integer(std::string_view name) const {
+  return std::get<std::int64_t>(slot(name).value);
+}
+
+glm::dvec3 Properties::triple(std::string_view name) const {
+  return std::get<glm::dvec3>(slot(name).value);
+}
+
+glm::dmat4 Properties::transform(std::string_view name) const {
+  return std::get<glm::dmat4>(slot(name).value);
+}
+
+const std::string& Properties::text(std::string_view name) const {
+  return std::get<std::string>(slot(name).value);
+}
+
+bool Properties::has(std::string_view name) const { return slot(name).usable; }
+
+void Properties::error(std::string_view name, const std::string& message) const {
+  diagnostics_.error(slot(name).offset, message);
+}
+
+}  // namespace laver::xml

@@ -1,0 +1,59 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/diagnostics.h"
+#include "scene/schema.h"
+
+namespace laver::xml {
+
+/// What an object of a scene file was given, with the defaults of its rule for the rest.
+class Properties {
+ public:
+  /// All defaults. `offset` is where the object's tag stands.
+  Properties(const ObjectRule& rule, std::size_t offset, Diagnostics& diagnostics);
+
+  /// The place of a property in the rule's table, or its size if there is none of that name.
+  std::size_t find(std::string_view name) const;
+  bool wasGiven(std::size_t index) const { return slots_[index].given; }
+  void set(std::size_t index, Value value, std::size_t offset);
+  /// Remembers that a property was there but could not be read.
+  void spoil(std::size_t index, std::size_t offset);
+  /// Reports required properties that were not given.
+  void checkRequired() const;
+
+  /// Values by name; the name and the type must be the rule's.
+  double real(std::string_view name) const;
+  std::int64_t integer(std::string_view name) const;
+  glm::dvec3 triple(std::string_view name) const;
+  glm::dmat4 transform(std::string_view name) const;
+  const std::string& text(std::string_view name) const;
+  /// Whether there is a value: false for a required property that is missing or broken.
+  bool has(std::string_view name) const;
+
+  /// Reports `message` at the property, or at the object if the property was not given.
+  void error(std::string_view name, const std::string& message) const;
+
+  std::size_t offset() const { return offset_; }
+  const ObjectRule& rule() const { return rule_; }
+
+ private:
+  struct Slot {
+    Value value;
+    std::size_t offset;
+    bool given = false;   // in the file
+    bool usable = false;  // has a value
+  };
+  const Slot& slot(std::string_view name) const { return slots_.at(find(name)); }
+
+  const ObjectRule& rule_;
+  std::size_t offset_;
+  Diagnostics& diagnostics_;
+  std::vector<Slot> slots_;
+};
+
+/// "camera \"perspective\"", for messages.
+std::string nameOf(const ObjectRule& rule);
+
+}  // namespace laver::xml

@@ -1,0 +1,191 @@
+#include "scene/reader.h"
+
+#include <fmt/format.h>
+
+#include "scene/suggest.h"
+#include "scene/transform_reader.h"
+
+namespace laver::xml {
+namespace {
+
+constexpr ObjectRule kScene{"scene", "", {}, nullptr};
+
+bool isElement(pugi::xml_node node) { return node.type() == pugi::node_element; }
+
+}  // namespace
+
+void Reader::findIntegrator(pugi::xml_node root) {
+  integrator_ = draft_.overrides.integrator;
+  if (!integrator_) {
+    integrator_ = integratorFromName(root.child("integrator").attribute("type").value());
+  }
+  if (integrator_) draft_.scene.integrator = *integrator_;
+  if (!integrator_ && !root.child("integrator")) {
+    diagnostics_.error(at(root), fmt::format("<scene> needs an <integrator>: expected type {}",
+                                             expectedNames("", knownTypes("integrator"))));
+  }
+}
+
+void Reader::readScene(pugi::xml_node root) {
+  findIntegrator(root);
+  checkAttributes(root, {}, source_, diagnostics_);
+  Properties none(kScene, at(root), diagnostics_);
+  readChildren(root, &none, "scene");
+  if (!root.child("camera")) buildDefault("camera", "perspective", at(root));
+  if (!root.child("sampler")) buildDefault("sampler", "independent", at(root));
+  auto& lights = draft_.scene.lights;
+  lights.insert(lights.end(), draft_.meshLights.begin(), draft_.meshLights.end());
+}
+
+void Reader::buildDefault(const char* tag, const char* type, std::size_t offset) {
+  const ObjectRule& rule = *findObject(tag, type);
+  rule.build(Properties(rule, offset, diagnostics_), "scene", draft_);
+}
+
+// Properties go to `properties` in a first round; objects are read in a second, when the object
+// that holds them has been built.
+void Reader::readChildren(pugi::xml_node node, Properties* properties, std::string_view parent) {
+  for (const pugi::xml_node child : node.children()) {
+    const std::string_view tag = child.name();
+    if (!isElement(child)) {
+      diagnostics_.error(at(child), fmt::format("text outside of tags in <{}>", node.name()));
+    } else if (const PropertyType* type = findPropertyType(tag)) {
+      readProperty(child, *type, *properties);
+    } else if (isOperation(tag)) {
+      diagnostics_.error(at(child), fmt::format("<{}> outside of a <transform>", tag));
+    }
+  }
+  if (properties->rule().build) {
+    properties->checkRequired();
+    properties->rule().build(*properties, parent, draft_);
+  }
+  for (const pugi::xml_node child : node.children()) {
+    if (!isElement(child) || findPropertyType(child.name()) || isOperation(child.name())) continue;
+    if (const TagRule* rule = findTag(child.name())) {
+      readObject(child, *rule, node.name());
+    } else {
+      readUnknownTag(child);
+    }
+  }
+}
+
+void Reader::readProperty(pugi::xml_node node, PropertyType type, Properties& properties) {
+  const bool transform = type == PropertyType::Transform;
+  if (transform) {
+    checkAttributes(node, {"name"}, source_, diagnostics_);
+  } else {
+    checkAttributes(node, {"name", "value"}, source_, diagnostics_);
+    checkNoContent(node, source_, diagnostics_);
+  }
+  const ObjectRule& rule = properties.rule();
+  const char* name = requireAttribute(node, "name", source_, diagnostics_);
+  const bool complete = transform || requireAttribute(node, "value", source_, diagnostics_);
+  if (!name || !complete) return;
+  const std::size_t index = properties.find(name);
+  if (index == rule.properties.size()) {
+    std::vector<std::string_view> names;
+    for (const PropertyRule& property : rule.properties) names.emplace_back(property.name);
+    const std::string_view hint = nearest(name, names);
+    diagnostics_.warning(
+        at(node), fmt::format("{} has no property {}: ignored; {}", nameOf(rule), inQuotes(name),
+                              hint.empty() ? std::string("it takes none")
+                                           : fmt::format("the nearest is \"{}\"", hint)));
+    return;
+  }
+  if (properties.wasGiven(index)) {
+    diagnostics_.warning(at(node),
+                         fmt::format("the property \"{}\" is there twice: the last counts", name));
+  }
+  if (const auto value = readValue(node, type, rule.properties[index].type)) {
+    properties.set(index, *value, at(node));
+  } else {
+    properties.spoil(index, at(node));
+  }
+}
+
+std::optional<Value> Reader::readValue(pugi::xml_node node, PropertyType type,
+                                       PropertyType wanted) {
+  const char* name = node.attribute("name").value();
+  const bool integerForFloat = wanted == PropertyType::Float && type == PropertyType::Integer;
+  if (type != wanted && !integerForFloat) {
+    diagnostics_.error(at(node), fmt::format("the property \"{}\" is a <{}>, expected a <{}>", name,
+                                             tagOf(type), tagOf(wanted)));
+    return std::nullopt;
+  }
+  if (type == PropertyType::Transform) {
+    const auto matrix = readTransform(node, source_, diagnostics_);
+    return matrix ? std::optional<Value>(*matrix) : std::nullopt;
+  }
+  Value value;
+  const std::string problem = parseValue(type, node.attribute("value").value(), value);
+  if (!problem.empty()) {
+    diagnostics_.error(at(node), fmt::format("the property \"{}\": {}", name, problem));
+    return std::nullopt;
+  }
+  if (integerForFloat) value = static_cast<double>(std::get<std::int64_t>(value));
+  return value;
+}
+
+bool Reader::checkPlace(pugi::xml_node node, const TagRule& rule, std::string_view parent) {
+  const std::string_view tag = rule.tag;
+  const std::string parents = rule.parents;
+  if (!parents.empty() && parents.find(std::string(parent) + " ") == std::string::npos) {
+    diagnostics_.error(at(node), fmt::format("<{}> stands in <{}>, expected it in <{}>", tag,
+                                             parent, parents.substr(0, parents.find(' '))));
+    return false;
+  }
+  if (rule.many && (parent == "scene" || parents.empty())) return true;
+  const pugi::xml_node first = node.parent().child(rule.tag);
+  if (first == node) return true;
+  diagnostics_.error(at(node), fmt::format("a second <{}> in <{}>, expected one: the first is in "
+                                           "line {}",
+                                           tag, parent, source_.line(at(first))));
+  return false;
+}
+
+void Reader::missing(pugi::xml_node node, Need need, const std::string& message) {
+  const bool needed =
+      need == Need::Always || (need == Need::Shading && integrator_ && shades(*integrator_));
+  if (needed) {
+    diagnostics_.error(at(node), message);
+  } else {
+    const std::string who = integrator_
+                                ? fmt::format("integrator \"{}\"", integratorName(*integrator_))
+                                : "the picture";
+    diagnostics_.warning(at(node), fmt::format("{}; ignored, {} does not need it", message, who));
+  }
+}
+
+void Reader::readObject(pugi::xml_node node, const TagRule& rule, std::string_view parent) {
+  if (!checkPlace(node, rule, parent)) return;
+  const char* type = requireAttribute(node, "type", source_, diagnostics_);
+  if (!type) return;
+  const ObjectRule* object = findObject(rule.tag, type);
+  if (object) {
+    checkAttributes(node, {"type", "name"}, source_, diagnostics_);
+    Properties properties(*object, at(node), diagnostics_);
+    readChildren(node, &properties, parent);
+    return;
+  }
+  const auto types = knownTypes(rule.tag);
+  const std::string known =
+      types.empty() ? "it has none" : "expected " + expectedNames(type, types);
+  const bool replaced = rule.tag == std::string_view("integrator") && draft_.overrides.integrator;
+  missing(node, replaced ? Need::Never : rule.need,
+          fmt::format("laver has no {} of type {}: {}", rule.tag, inQuotes(type), known));
+}
+
+// A tag with a type is an object of somebody's dialect, unless it reads like one of laver's own.
+void Reader::readUnknownTag(pugi::xml_node node) {
+  const std::string_view tag = node.name();
+  const std::string_view hint = nearest(tag, knownTags());
+  const std::string message = fmt::format("unknown tag <{}>: the nearest is <{}>", tag, hint);
+  if (!node.attribute("type")) {
+    diagnostics_.error(at(node), message);
+    return;
+  }
+  const TagRule* meant = looksLikeTypo(tag, hint) ? findTag(hint) : nullptr;
+  missing(node, meant ? meant->need : Need::Shading, message);
+}
+
+}  // namespace laver::xml

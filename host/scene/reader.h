@@ -1,0 +1,37 @@
+#pragma once
+#include <optional>
+
+#include "scene/node.h"
+#include "scene/properties.h"
+#include "scene/schema.h"
+
+namespace laver::xml {
+
+/// Walks the tags of a scene file by the tables of schema.h and fills a draft.
+class Reader {
+ public:
+  Reader(const TextSource& source, Draft& draft, Diagnostics& diagnostics)
+      : source_(source), draft_(draft), diagnostics_(diagnostics) {}
+
+  void readScene(pugi::xml_node root);
+
+ private:
+  void readChildren(pugi::xml_node node, Properties* properties, std::string_view parent);
+  void readProperty(pugi::xml_node node, PropertyType type, Properties& properties);
+  std::optional<Value> readValue(pugi::xml_node node, PropertyType type, PropertyType wanted);
+  void readObject(pugi::xml_node node, const TagRule& rule, std::string_view parent);
+  void readUnknownTag(pugi::xml_node node);
+  bool checkPlace(pugi::xml_node node, const TagRule& rule, std::string_view parent);
+  void missing(pugi::xml_node node, Need need, const std::string& message);
+  void buildDefault(const char* tag, const char* type, std::size_t offset);
+  void findIntegrator(pugi::xml_node root);
+
+  std::size_t at(pugi::xml_node node) const { return offsetOf(node, source_); }
+
+  const TextSource& source_;
+  Draft& draft_;
+  Diagnostics& diagnostics_;
+  std::optional<Integrator> integrator_;  // the one that will run, if it is known
+};
+
+}  // namespace laver::xml

@@ -1,0 +1,99 @@
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace laver {
+
+/// What a pixel shows.
+enum class Integrator { Normals, DirectWhitted, Depth };
+
+/// Pinhole camera. Camera space: +x left, +y up, +z forward.
+struct Camera {
+  glm::dmat4 toWorld{1.0};  ///< camera to world, column vectors
+  int width = 1280;         ///< pixels
+  int height = 720;         ///< pixels
+  double fov = 30.0;        ///< horizontal, degrees
+  double nearClip = 1e-4;   ///< plane z = nearClip of camera space
+  double farClip = 1e4;
+};
+
+/// Reconstruction filter, separable; radius and stddev in pixels.
+struct Filter {
+  enum class Kind { Gaussian, Mitchell, Tent, Box };
+  Kind kind = Kind::Gaussian;
+  double radius = 2.0;
+  double stddev = 0.5;   ///< gaussian only
+  double B = 1.0 / 3.0;  ///< Mitchell only
+  double C = 1.0 / 3.0;  ///< Mitchell only
+};
+
+/// Nori's `independent` sampler.
+struct Sampler {
+  std::uint32_t sampleCount = 1;  ///< per pixel
+  std::int64_t seed = 0;
+};
+
+/// Lambertian reflection.
+struct Diffuse {
+  glm::dvec3 albedo{0.5};
+};
+
+/// Isotropic point light: radiance / distance^2 arrives at a surface.
+struct PointLight {
+  glm::dvec3 position{0.0, 100.0, 0.0};
+  glm::dvec3 radiance{1.0};
+};
+
+/// Triangles in world space. Attributes are empty or hold one entry a vertex.
+struct Mesh {
+  std::string name;  ///< the file name as the scene gives it
+  std::vector<glm::dvec3> positions;
+  std::vector<glm::dvec3> normals;  ///< unit length
+  std::vector<glm::dvec2> uvs;
+  std::vector<glm::uvec3> triangles;   ///< indices into the above, in file order
+  std::uint64_t droppedTriangles = 0;  ///< zero-area triangles left out at load
+  Diffuse bsdf;
+};
+
+/// A scene as plain data: no Vulkan, no file handles.
+struct Scene {
+  std::string file;  ///< path it was read from
+  Integrator integrator = Integrator::Normals;
+  Camera camera;
+  Filter filter;
+  Sampler sampler;
+  std::vector<Mesh> meshes;
+  std::vector<PointLight> lights;
+};
+
+/// What the command line changes in a scene before it is checked.
+struct SceneOverrides {
+  std::optional<Integrator> integrator;
+  std::optional<std::uint32_t> sampleCount;
+  std::optional<std::int64_t> seed;
+  std::optional<glm::ivec2> size;  ///< width, height in pixels
+};
+
+/// A scene and what its reader should be told: one `file:line:col: warning: ...` line each.
+struct LoadedScene {
+  Scene scene;
+  std::vector<std::string> warnings;
+};
+
+/// Reads a Nori XML scene and its meshes. Throws Error(ExitCode::Scene) whose text holds one
+/// `file:line:col: error: ...` line for every error found.
+LoadedScene loadScene(const std::string& file, const SceneOverrides& overrides = {});
+
+/// Nori's name of an integrator, as in the XML.
+const char* integratorName(Integrator integrator);
+
+/// The integrator of that name, if laver has it.
+std::optional<Integrator> integratorFromName(const std::string& name);
+
+/// The `Scene[ ... ]` text that Nori prints.
+std::string describe(const Scene& scene);
+
+}  // namespace laver

@@ -1,0 +1,81 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "scene/scene.h"
+#include "scene/value.h"
+
+namespace laver::xml {
+
+class Properties;
+
+/// A property that an object takes. Its default is written as a scene would write it.
+struct PropertyRule {
+  const char* name;
+  PropertyType type;
+  const char* fallback;  ///< nullptr: required; a transform's is "" (identity)
+};
+
+/// A mesh whose file is yet to be read.
+struct MeshDraft {
+  std::size_t offset;  ///< of the mesh's tag
+  std::string filename;
+  glm::dmat4 toWorld{1.0};
+  Diffuse bsdf;
+};
+
+/// A scene while it is read.
+struct Draft {
+  const SceneOverrides& overrides;
+  Scene scene;
+  std::vector<MeshDraft> meshes;
+  std::vector<PointLight> meshLights;  ///< they come after the scene's own
+};
+
+/// An object that laver has: what it takes and what it does to the scene. `parent` is the tag that
+/// the object stands in.
+struct ObjectRule {
+  const char* tag;
+  const char* type;
+  std::span<const PropertyRule> properties;
+  void (*build)(const Properties& given, std::string_view parent, Draft& draft);
+};
+
+/// Which integrators cannot do without an object.
+enum class Need {
+  Always,   ///< all: geometry, camera, sampling
+  Shading,  ///< those that look at materials and lights
+  Never
+};
+
+/// A tag that names an object, and where it may stand.
+struct TagRule {
+  const char* tag;
+  Need need;
+  const char* parents;  ///< tags with a space behind each; empty: anywhere
+  bool many;            ///< more than one may stand in a scene; elsewhere one at most
+};
+
+std::span<const ObjectRule> objectRules();
+std::span<const TagRule> tagRules();
+
+/// The names of the operations in a transform, and whether a tag is one.
+std::span<const std::string_view> transformOperations();
+bool isOperation(std::string_view tag);
+
+const TagRule* findTag(std::string_view tag);
+const ObjectRule* findObject(std::string_view tag, std::string_view type);
+/// The property type whose tag this is.
+const PropertyType* findPropertyType(std::string_view tag);
+
+/// Types that laver has of an object, in the table's order.
+std::vector<std::string_view> knownTypes(std::string_view tag);
+/// All tags: objects, properties and transform operations.
+std::vector<std::string_view> knownTags();
+
+/// Whether an integrator looks at materials and lights.
+bool shades(Integrator integrator);
+
+}  // namespace laver::xml

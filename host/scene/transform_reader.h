@@ -1,0 +1,17 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "scene/node.h"
+
+namespace laver::xml {
+
+/// Reads a <transform>: its operations multiply from the left, so the first written applies first.
+/// Nothing if an operation or the whole cannot be used; the errors are then in `diagnostics`.
+std::optional<glm::dmat4> readTransform(pugi::xml_node node, const TextSource& source,
+                                        Diagnostics& diagnostics);
+
+/// Reports a tag or a text inside a tag that takes neither.
+void checkNoContent(pugi::xml_node node, const TextSource& source, Diagnostics& diagnostics);
+
+}  // namespace laver::xml

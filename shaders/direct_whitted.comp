@@ -1,0 +1,38 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "integrator.glsl"
+
+// Direct light of point lights on Lambertian surfaces: sum of radiance / distance^2 * cos * albedo
+// / pi over the lights that the hit sees.
+void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
+  if (!HAS_LIGHTS) return;
+  Surface surfaces[R];
+  for (uint r = 0u; r < R; ++r)
+    surfaces[r] =
+        surfaceAt(rays.origin, rays.direction[r], hits.slot[r] == NO_HIT ? 0u : hits.slot[r]);
+
+  for (uint i = 0u; i < pass.lights.y; ++i) {
+    const int texel = int((pass.lights.x + i) * 2u);
+    const vec3 light = texelVec3(texelFetch(lightTexels, texel));
+    const vec3 power = texelVec3(texelFetch(lightTexels, texel + 1));
+    vec3 points[R];
+    bool live[R], seen[R];
+    float cosine[R], squared[R];
+    for (uint r = 0u; r < R; ++r) {
+      const Surface s = surfaces[r];
+      const vec3 toLight = light - s.position;
+      squared[r] = dotProduct(toLight, toLight);
+      const float along = dotProduct(s.normal, toLight);
+      live[r] = hits.slot[r] != NO_HIT && along > 0.0 && squared[r] > 0.0 &&
+                dotProduct(s.normal, rays.direction[r]) < 0.0;
+      cosine[r] = along / sqrt(squared[r]);
+      const float side = dotProduct(s.geometric, toLight) < 0.0 ? -s.offset : s.offset;
+      points[r] = s.position + s.geometric * side;
+    }
+    visible(light, points, live, seen);
+    for (uint r = 0u; r < R; ++r) {
+      const vec3 irradiance = power / squared[r] * cosine[r];
+      if (seen[r]) radiance[r] += irradiance * albedoOf(surfaces[r]) * 0.31830989;
+    }
+  }
+}

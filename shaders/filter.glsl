@@ -1,0 +1,51 @@
+// Reconstruction filters, one axis. `x` is the distance from the pixel's centre in pixels.
+// params.filterArgs: radius; gaussian: alpha, exp(alpha radius^2); Mitchell: B, C.
+#ifndef LAVER_FILTER
+#define LAVER_FILTER
+#include "resources.glsl"
+
+// exp(x) for -87 <= x <= 0 within 2 ulp; drivers' exp is off by up to 29. exp(x) = 2^n exp(r),
+// |r| <= ln 2 / 2, where the Taylor polynomial of degree 7 is off by r^8 / 8! < 6e-9.
+float expOf(float x) {
+  precise float n = floor(x * 1.44269504 + 0.5);
+  precise float r = (x - n * 0.693359375) + n * 2.12194440e-4;
+  precise float p = 1.0 / 5040.0;
+  p = p * r + 1.0 / 720.0;
+  p = p * r + 1.0 / 120.0;
+  p = p * r + 1.0 / 24.0;
+  p = p * r + 1.0 / 6.0;
+  p = p * r + 0.5;
+  precise float result = (p * r * r + r) + 1.0;
+  return result * uintBitsToFloat(uint(int(n) + 127) << 23);
+}
+
+float gaussian(float x) {
+  const float a = max(params.filterArgs.y * x * x, -87.0);
+  return max(0.0, expOf(a) - params.filterArgs.z);
+}
+
+// Mitchell and Netravali 1988; the outer piece is written around its double root at 2.
+float mitchell(float x) {
+  const float B = params.filterArgs.y, C = params.filterArgs.z;
+  const float s = abs(2.0 * x / params.filterArgs.x);
+  const float y = max(2.0 - s, 0.0);
+  const float inner = ((12.0 - 9.0 * B - 6.0 * C) * s + (-18.0 + 12.0 * B + 6.0 * C)) * s * s +
+                      (6.0 - 2.0 * B);
+  const float outer = y * y * ((B + 6.0 * C) * y - 6.0 * C);
+  return (s < 1.0 ? inner : outer) / 6.0;
+}
+
+float filterWeight(float x) {
+  const float radius = params.filterArgs.x;
+  if (NORI_TABLE) {
+    const uint i = min(uint(floor(abs(x) * (32.0 / radius))), 32u);
+    return params.table[i / 4][i % 4];
+  }
+  float w = 1.0;  // box
+  if (FILTER == FILTER_GAUSSIAN) w = gaussian(x);
+  if (FILTER == FILTER_MITCHELL) w = mitchell(x);
+  if (FILTER == FILTER_TENT) w = max(0.0, 1.0 - abs(x / radius));
+  return abs(x) <= radius ? w : 0.0;
+}
+
+#endif

@@ -1,0 +1,107 @@
+// Watertight ray/triangle test, after Woop, Benthin and Wald, "Watertight Ray/Triangle
+// Intersection", JCGT 2(1), 2013, with Kahan's difference of products (Jeannerod, Louvet and
+// Muller, "Further Analysis of Kahan's Algorithm ...", Math. Comp. 82, 2013: 1.5 ulp) in place of
+// plain ones, so that edge functions keep their sign on devices that fuse. Where fma is a product
+// and a sum, the correction is zero and both triangles of an edge still round alike.
+#ifndef LAVER_SHARED_TRIANGLE_H
+#define LAVER_SHARED_TRIANGLE_H
+#include "types.h"
+
+LAVER_SHARED_BEGIN
+
+// a * b - c * d.
+LAVER_FN float differenceOfProducts(float a, float b, float c, float d) {
+  LAVER_PRECISE float product = c * d;
+  LAVER_PRECISE float error = fma(-c, d, product);
+  LAVER_PRECISE float difference = fma(a, b, -product);
+  LAVER_PRECISE float result = difference + error;
+  return result;
+}
+
+LAVER_FN vec3 crossProduct(vec3 a, vec3 b) {
+  return vec3(differenceOfProducts(a.y, b.z, a.z, b.y), differenceOfProducts(a.z, b.x, a.x, b.z),
+              differenceOfProducts(a.x, b.y, a.y, b.x));
+}
+
+LAVER_FN float dotProduct(vec3 a, vec3 b) {
+  LAVER_PRECISE float result = a.x * b.x + a.y * b.y + a.z * b.z;
+  return result;
+}
+
+// A direction as its dominant axis k (ties: x before y before z), the sign there, and the slopes
+// of the two other axes against it. "Depth" below is the distance along k, positive ahead.
+struct Shear {
+  uint axis;
+  float sign;
+  float u, v;
+};
+
+LAVER_FN float alongAxis(vec3 p, uint axis) { return axis == 0u ? p.x : (axis == 1u ? p.y : p.z); }
+
+// (u, v, depth) of p - origin.
+LAVER_FN vec3 permute(Shear shear, vec3 p) {
+  return vec3(shear.axis == 0u ? p.y : p.x, shear.axis == 2u ? p.y : p.z,
+              alongAxis(p, shear.axis) * shear.sign);
+}
+
+LAVER_FN Shear shearOf(vec3 d) {
+  Shear shear;
+  float x = abs(d.x), y = abs(d.y), z = abs(d.z);
+  shear.axis = (x >= y && x >= z) ? 0u : (y >= z ? 1u : 2u);
+  shear.sign = alongAxis(d, shear.axis) < 0.0f ? -1.0f : 1.0f;
+  shear.u = 0.0f;
+  shear.v = 0.0f;
+  LAVER_PRECISE vec3 q = permute(shear, d);
+  LAVER_PRECISE float u = q.x / q.z;
+  LAVER_PRECISE float v = q.y / q.z;
+  shear.u = u;
+  shear.v = v;
+  return shear;
+}
+
+// Edge functions of the three corners, permuted and relative to the origin.
+struct Edges {
+  float a, b, c;    // their signs agree inside; a / (a + b + c) is the weight of corner a
+  float sum;
+  bool inside;      // edges included
+};
+
+LAVER_FN Edges edgesOf(Shear shear, vec3 a, vec3 b, vec3 c) {
+  LAVER_PRECISE float ax = a.x - shear.u * a.z;
+  LAVER_PRECISE float ay = a.y - shear.v * a.z;
+  LAVER_PRECISE float bx = b.x - shear.u * b.z;
+  LAVER_PRECISE float by = b.y - shear.v * b.z;
+  LAVER_PRECISE float cx = c.x - shear.u * c.z;
+  LAVER_PRECISE float cy = c.y - shear.v * c.z;
+  Edges e;
+  e.a = differenceOfProducts(cx, by, cy, bx);
+  e.b = differenceOfProducts(ax, cy, ay, cx);
+  e.c = differenceOfProducts(bx, ay, by, ax);
+  LAVER_PRECISE float sum = e.a + e.b + e.c;
+  e.sum = sum;
+  e.inside = sum != 0.0f && ((e.a >= 0.0f && e.b >= 0.0f && e.c >= 0.0f) ||
+                             (e.a <= 0.0f && e.b <= 0.0f && e.c <= 0.0f));
+  return e;
+}
+
+// Depth of a hit, by the edge functions. It is a mean of the corners' depths and held between
+// them: then a box that starts behind a hit holds no nearer one, whatever rounding did, and
+// pruning by depth never changes which hit wins.
+LAVER_FN float depthOf(Edges e, float az, float bz, float cz) {
+  LAVER_PRECISE float depth = (e.a * az + e.b * bz + e.c * cz) / e.sum;
+  return max(min(az, min(bz, cz)), min(depth, max(az, max(bz, cz))));
+}
+
+// True if the plane of the triangle passes between p and q (all in one space): then a triangle
+// whose edge test passes on the line through them blocks their view of each other. No distance is
+// compared, so the test does not lose accuracy as q moves away.
+LAVER_FN bool planeSeparates(vec3 a, vec3 b, vec3 c, vec3 p, vec3 q) {
+  vec3 n = crossProduct(b - a, c - a);
+  float sideP = dotProduct(n, p - a);
+  float sideQ = dotProduct(n, q - a);
+  return (sideP > 0.0f && sideQ < 0.0f) || (sideP < 0.0f && sideQ > 0.0f);
+}
+
+LAVER_SHARED_END
+
+#endif

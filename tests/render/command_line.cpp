@@ -1,0 +1,175 @@
+// The binary as a user runs it: exit codes, one-line errors, files.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "image/io.h"
+#include "render/harness.h"
+
+namespace laver::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int code;
+  std::string out, err;
+};
+
+std::string contents(const fs::path& file) {
+  std::ifstream in(file);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+class CommandLine : public testing::Test {
+ protected:
+  CommandLine() {
+    std::string name = (fs::temp_directory_path() / "laver-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+  }
+  ~CommandLine() override { fs::remove_all(folder_); }
+
+  /// Runs `laver ARGUMENTS` in the test's folder, with variables set before it.
+  Outcome laver(const std::string& arguments, const std::string& variables = "") {
+    const std::string command = "cd " + folder_.string() + " && " + variables +
+                                " '" LAVER_BINARY "' " + arguments + " >out.txt 2>err.txt";
+    const int status = std::system(command.c_str());
+    return {WEXITSTATUS(status), contents(folder_ / "out.txt"), contents(folder_ / "err.txt")};
+  }
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name) << text;
+  }
+  static int lines(const std::string& text) {
+    return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+  }
+
+  fs::path folder_;
+};
+
+// The hand-out's first scene.
+constexpr const char* kFirstScene =
+    "<scene>\n  <integrator type=\"normals\">\n"
+    "    <string name=\"myProperty\" value=\"Hello!\"/>\n  </integrator>\n  <camera "
+    "type=\"perspective\"/>\n</scene>\n";
+
+TEST_F(CommandLine, TheHandOutsFirstScene) {
+  write("test.xml", kFirstScene);
+  const Outcome run = laver("test.xml --nogui --device cpu");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.err.find("test.xml:3:"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("warning"), std::string::npos);
+  EXPECT_NE(run.out.find("Configuration: Scene[\n  integrator = NormalIntegrator["),
+            std::string::npos)
+      << run.out;
+  EXPECT_NE(run.out.find("outputSize = [1280, 720]"), std::string::npos);
+  EXPECT_NE(run.out.find("Rendering .. done. (took "), std::string::npos);
+  EXPECT_NE(run.out.find("Writing a 1280x720 OpenEXR file to \"test.exr\""), std::string::npos);
+  const Image image = readExr((folder_ / "test.exr").string());
+  EXPECT_EQ(image.width, 1280);
+  EXPECT_EQ(image.height, 720);
+  for (const float v : image.pixels) ASSERT_EQ(v, 0.0F);
+  EXPECT_TRUE(fs::exists(folder_ / "test.png"));
+}
+
+TEST_F(CommandLine, OverridesReachThePictureAndItsAttributes) {
+  write("test.xml", kFirstScene);
+  const Outcome run = laver(
+      "test.xml --device cpu --quiet --size 40x30 --crop 3,4,13,24 --spp 2 --seed 9 -o a.exr "
+      "--stats=s.json");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.out, "");
+  const Image image = readExr((folder_ / "a.exr").string());
+  EXPECT_EQ(image.width, 10);
+  EXPECT_EQ(image.height, 20);
+  const auto stats = nlohmann::json::parse(contents(folder_ / "s.json"));
+  EXPECT_EQ(stats["samples"]["total"], 10 * 20 * 2);
+  EXPECT_TRUE(stats["seconds"].contains("trace"));
+  EXPECT_FALSE(fs::exists(folder_ / "test.exr"));
+}
+
+TEST_F(CommandLine, ReferenceNeedsNoDriver) {
+  write("test.xml", kFirstScene);
+  const std::string none = "VK_ICD_FILENAMES=/nonexistent VK_DRIVER_FILES=/nonexistent";
+  EXPECT_EQ(laver("test.xml --size 8x8 --reference --quiet", none).code, 0);
+  const Outcome run = laver("test.xml --size 8x8 --quiet", none);
+  EXPECT_EQ(run.code, 4);
+  EXPECT_EQ(lines(run.err), 2) << run.err;  // the scene's warning and the error
+  EXPECT_NE(run.err.find("laver: "), std::string::npos);
+}
+
+TEST_F(CommandLine, UsageErrorsAreOneLineAndExitTwo) {
+  write("test.xml", kFirstScene);
+  for (const char* arguments :
+       {"", "--nonsense", "test.xml --size 12", "test.xml --size 12x", "test.xml --size axb",
+        "test.xml --crop 1,2,3", "test.xml --crop 0,0,5000,2 --device cpu",
+        "test.xml --crop 4,4,4,8 --device cpu", "test.xml --spp 0", "test.xml --spp -3",
+        "test.xml --integrator path_mis", "test.xml -o picture.jpg --device cpu",
+        "test.xml --device cpu --traversal magic", "compare", "compare a.exr",
+        "compare a.exr b.exr"}) {
+    const Outcome run = laver(arguments);
+    EXPECT_EQ(run.code, 2) << arguments << ": " << run.err;
+    const int warnings = run.err.find("warning") == std::string::npos ? 0 : 1;
+    EXPECT_EQ(lines(run.err), 1 + warnings) << arguments << ": " << run.err;
+  }
+}
+
+TEST_F(CommandLine, SceneErrorsExitThreeAndTouchNoOutput) {
+  write("bad.xml",
+        "<scene>\n  <integrator type=\"normals\"/>\n  <camera type=\"fisheye\"/>\n</scene>\n");
+  write("bad.exr", "precious");
+  const Outcome run = laver("bad.xml --device cpu");
+  EXPECT_EQ(run.code, 3);
+  EXPECT_EQ(run.err.rfind("bad.xml:3:4: error: ", 0), 0U) << run.err;
+  EXPECT_EQ(contents(folder_ / "bad.exr"), "precious");
+  EXPECT_EQ(laver("missing.xml --device cpu").code, 3);
+}
+
+TEST_F(CommandLine, AnUnknownDeviceExitsFour) {
+  write("test.xml", kFirstScene);
+  const Outcome run = laver("test.xml --device nosuchdevice --quiet");
+  EXPECT_EQ(run.code, 4);
+  EXPECT_NE(run.err.find("nosuchdevice"), std::string::npos);
+}
+
+TEST_F(CommandLine, AnOutputThatCannotBeWrittenExitsOne) {
+  write("test.xml", kFirstScene);
+  EXPECT_EQ(laver("test.xml --device cpu --size 8x8 --quiet -o nofolder/a.exr").code, 1);
+  fs::create_directory(folder_ / "folder.exr");
+  EXPECT_EQ(laver("test.xml --device cpu --size 8x8 --quiet -o folder.exr").code, 1);
+}
+
+TEST_F(CommandLine, CompareMeasuresAndJudges) {
+  Image image = rgbImage(20, 10);
+  writeExr((folder_ / "a.exr").string(), image);
+  image.at(3, 4, 1) = 0.25F;
+  writeExr((folder_ / "b.exr").string(), image);
+  EXPECT_EQ(laver("compare a.exr a.exr --tolerance 0").code, 0);
+  EXPECT_EQ(laver("compare a.exr b.exr").code, 0);
+  EXPECT_EQ(laver("compare a.exr b.exr --tolerance 0.3").code, 0);
+  const Outcome beyond = laver("compare a.exr b.exr --tolerance 0.2");
+  EXPECT_EQ(beyond.code, 5);
+  EXPECT_NE(beyond.out.find("0.25"), std::string::npos) << beyond.out;
+  EXPECT_EQ(laver("compare a.exr b.exr --tolerance 0.02 --metric rmse").code,
+            0);  // 0.25 / sqrt(200)
+  EXPECT_EQ(laver("compare a.exr b.exr --tolerance 0.017 --metric rmse").code, 5);
+  writeExr((folder_ / "c.exr").string(), rgbImage(21, 10));
+  const Outcome sizes = laver("compare a.exr c.exr");
+  EXPECT_EQ(sizes.code, 2);
+  EXPECT_EQ(lines(sizes.err), 1);
+}
+
+TEST_F(CommandLine, DevicesListsTheCpu) {
+  const Outcome run = laver("devices");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_NE(run.out.find("CPU"), std::string::npos) << run.out;
+}
+
+}  // namespace
+}  // namespace laver::test

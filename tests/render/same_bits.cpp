@@ -1,0 +1,85 @@
+// The picture does not depend on how it was made.
+#include <cstdlib>
+
+#include "render/harness.h"
+
+namespace laver::test {
+namespace {
+
+Scene bunny() { return smallScene("bunny-whitted.xml", 120, 5); }
+
+TEST(SameBits, TwoRuns) { EXPECT_EQ(differingFloats(render(bunny()), render(bunny())), 0U); }
+
+TEST(SameBits, OneAndTwoThreadsOfTheDriver) {
+  ::setenv("LP_NUM_THREADS", "1", 1);
+  const Image one = render(bunny());
+  ::setenv("LP_NUM_THREADS", "2", 1);
+  const Image two = render(bunny());
+  ::unsetenv("LP_NUM_THREADS");
+  EXPECT_EQ(differingFloats(one, two), 0U);
+}
+
+TEST(SameBits, OneAndTwoThreadsOfTheHost) {
+  RenderOptions one, two;
+  one.threads = 1;
+  two.threads = 2;
+  EXPECT_EQ(differingFloats(render(bunny(), cpuDevice(), one), render(bunny(), cpuDevice(), two)),
+            0U);
+}
+
+TEST(SameBits, OtherBandsAndPasses) {
+  const Scene scene = bunny();
+  const Image whole = render(scene);
+  // All samples of a few rows a pass; one row at a time; two of five samples of the film a pass.
+  const auto width = static_cast<std::uint64_t>(scene.camera.width);
+  for (const std::uint64_t slots : {width * 7 * 5, width * 5, width * width * 2}) {
+    VulkanOptions vulkan = cpuDevice();
+    vulkan.samplesInFlight = slots;
+    Stats stats;
+    const Image cut = Renderer(vulkan).render(scene, {}, stats);
+    EXPECT_GT(stats.passes, 1U);
+    EXPECT_EQ(differingFloats(whole, cut), 0U) << slots;
+  }
+}
+
+TEST(SameBits, ACropIsCutOutOfTheFullPicture) {
+  const Scene scene = bunny();
+  const Image whole = render(scene);
+  for (const Crop crop :
+       {Crop{0, 0, 17, 9}, Crop{31, 30, 70, 66}, Crop{100, 1, 120, 120}, Crop{60, 60, 61, 61}}) {
+    RenderOptions options;
+    options.crop = crop;
+    const Image part = render(scene, cpuDevice(), options);
+    Image wanted = rgbImage(crop.x1 - crop.x0, crop.y1 - crop.y0);
+    for (int y = crop.y0; y < crop.y1; ++y)
+      for (int x = crop.x0; x < crop.x1; ++x)
+        for (std::size_t c = 0; c < 3; ++c)
+          wanted.at(x - crop.x0, y - crop.y0, c) = whole.at(x, y, c);
+    EXPECT_EQ(differingFloats(part, wanted), 0U);
+  }
+}
+
+TEST(SameBits, KernelsSpecialisedToTheSceneOrNot) {
+  VulkanOptions generic = cpuDevice();
+  generic.generic = true;
+  for (const char* name :
+       {"bunny-normals.xml", "bunny-whitted.xml", "bunny-depth.xml", "cornell-two-lights.xml",
+        "curved-normals.xml", "mirrored-instances.xml"}) {
+    const Scene scene = smallScene(name, 96, 2);
+    EXPECT_EQ(differingFloats(render(scene), render(scene, generic)), 0U) << name;
+  }
+}
+
+TEST(SameBits, OrderOfTheLightsBatches) {
+  // Nine lights take two dispatches; the ninth alone differs by exactly its own share.
+  Scene scene = smallScene("cornell-two-lights.xml", 48, 1);
+  scene.lights.resize(9, scene.lights.at(0));
+  for (auto& light : scene.lights) light.radiance = glm::dvec3(0.0);
+  scene.lights[8] = smallScene("cornell-two-lights.xml", 48, 1).lights.at(1);
+  const Image nine = render(scene);
+  scene.lights = {scene.lights[8]};
+  EXPECT_EQ(differingFloats(nine, render(scene)), 0U);
+}
+
+}  // namespace
+}  // namespace laver::test

@@ -1,0 +1,192 @@
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFloatAttribute.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfIntAttribute.h>
+#include <OpenEXR/ImfMatrixAttribute.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStringAttribute.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "image/io.h"
+#include "unit/image_test_folder.h"
+
+namespace laver {
+namespace {
+
+using image_test::expectError;
+using image_test::Folder;
+
+std::vector<std::uint32_t> bits(const std::vector<float>& values) {
+  std::vector<std::uint32_t> result;
+  for (const float value : values) result.push_back(std::bit_cast<std::uint32_t>(value));
+  return result;
+}
+
+/// 5 x 4 pixels that hold every kind of float.
+Image oddFloats() {
+  using Limits = std::numeric_limits<float>;
+  const std::vector<float> odd = {0.0f,
+                                  -0.0f,
+                                  1.0f,
+                                  -1.5f,
+                                  Limits::max(),
+                                  Limits::lowest(),
+                                  Limits::min(),
+                                  Limits::denorm_min(),
+                                  -1e-42f,
+                                  Limits::infinity(),
+                                  -Limits::infinity(),
+                                  Limits::quiet_NaN(),
+                                  std::bit_cast<float>(0xffc12345u),
+                                  std::bit_cast<float>(0x7f812345u)};
+  Image image = rgbImage(5, 4);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = odd[i % odd.size()];
+  return image;
+}
+
+TEST(Exr, KeepsEveryBitOfEveryKindOfFloat) {
+  const Folder folder;
+  const Image image = oddFloats();
+  writeExr(folder.file("a.exr"), image);
+  const Image back = readExr(folder.file("a.exr"));
+  EXPECT_EQ(back.width, 5);
+  EXPECT_EQ(back.height, 4);
+  EXPECT_EQ(back.channels, image.channels);
+  EXPECT_EQ(bits(back.pixels), bits(image.pixels));
+}
+
+TEST(Exr, PutsTheFirstRowOfPixelsAtTheTop) {
+  const Folder folder;
+  Image image = rgbImage(3, 2);
+  image.at(2, 0, 1) = 7.0f;
+  writeExr(folder.file("a.exr"), image);
+
+  std::vector<float> green(6);
+  Imf::InputFile file(folder.file("a.exr").c_str());
+  Imf::FrameBuffer frame;
+  frame.insert("G", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(green.data()), sizeof(float),
+                               3 * sizeof(float)));
+  file.setFrameBuffer(frame);
+  file.readPixels(0, 1);
+  EXPECT_EQ(green, (std::vector<float>{0, 0, 7, 0, 0, 0}));
+}
+
+TEST(Exr, WritesZippedFloatChannels) {
+  const Folder folder;
+  writeExr(folder.file("a.exr"), rgbImage(256, 256));
+  const Imf::InputFile file(folder.file("a.exr").c_str());
+  EXPECT_EQ(file.header().compression(), Imf::ZIP_COMPRESSION);
+  for (const char* name : {"R", "G", "B"}) {
+    ASSERT_NE(file.header().channels().findChannel(name), nullptr);
+    EXPECT_EQ(file.header().channels().findChannel(name)->type, Imf::FLOAT);
+  }
+  EXPECT_LT(std::filesystem::file_size(folder.file("a.exr")), 10000u);
+}
+
+TEST(Exr, WritesMetadataAsTypedAttributes) {
+  const Folder folder;
+  // Column vectors: column 3 is the translation.
+  glm::dmat4 matrix(1.0);
+  matrix[3] = glm::dvec4(10.0, 20.0, 30.0, 1.0);
+  matrix[1][0] = 5.0;  // row 0, column 1: x' = x + 5 y
+  writeExr(folder.file("a.exr"), rgbImage(2, 2),
+           {{"comments", std::string("two\nlines")},
+            {"renderTimeSeconds", 0.75},
+            {"samplesPerPixel", 16},
+            {"worldToCamera", matrix}});
+
+  const Imf::InputFile file(folder.file("a.exr").c_str());
+  const Imf::Header& header = file.header();
+  EXPECT_EQ(header.typedAttribute<Imf::StringAttribute>("comments").value(), "two\nlines");
+  EXPECT_EQ(header.typedAttribute<Imf::FloatAttribute>("renderTimeSeconds").value(), 0.75f);
+  EXPECT_EQ(header.typedAttribute<Imf::IntAttribute>("samplesPerPixel").value(), 16);
+  // Row vectors: v * M moves the same point to the same place.
+  const Imath::M44f& m = header.typedAttribute<Imf::M44fAttribute>("worldToCamera").value();
+  EXPECT_EQ(Imath::V3f(1, 2, 3) * m, Imath::V3f(1 + 10 + 10, 22, 33));
+}
+
+TEST(Exr, ReadsHalfAndUintInAnyDataWindow) {
+  const Folder folder;
+  const Imath::Box2i window({-3, 5}, {-2, 7});  // 2 x 3 pixels, not at the display's corner
+  Imf::Header header(Imath::Box2i({0, 0}, {9, 9}), window);
+  header.channels().insert("Z", Imf::Channel(Imf::HALF));
+  header.channels().insert("id", Imf::Channel(Imf::UINT));
+  const std::vector<half> z = {0.5f, -1.0f, 2.0f, 3.0f, 4.0f, 65504.0f};
+  const std::vector<unsigned> id = {1, 2, 3, 4, 5, 16777216};
+  Imf::FrameBuffer frame;
+  frame.insert("Z", Imf::Slice::Make(Imf::HALF, z.data(), window));
+  frame.insert("id", Imf::Slice::Make(Imf::UINT, id.data(), window));
+  {
+    Imf::OutputFile file(folder.file("a.exr").c_str(), header);
+    file.setFrameBuffer(frame);
+    file.writePixels(3);
+  }
+  const Image image = readExr(folder.file("a.exr"));
+  EXPECT_EQ(image.width, 2);
+  EXPECT_EQ(image.height, 3);
+  EXPECT_EQ(image.channels, (std::vector<std::string>{"Z", "id"}));
+  EXPECT_EQ(image.at(0, 0, 0), 0.5f);
+  EXPECT_EQ(image.at(1, 0, 0), -1.0f);
+  EXPECT_EQ(image.at(1, 2, 0), 65504.0f);
+  EXPECT_EQ(image.at(0, 1, 1), 3.0f);
+  EXPECT_EQ(image.at(1, 2, 1), 16777216.0f);
+}
+
+TEST(Exr, KeepsLayersAndOrdersColoursFirst) {
+  const Folder folder;
+  Image image;
+  image.width = image.height = 1;
+  image.channels = {"N.Z", "Z", "B", "N.X", "albedo.G", "R", "A", "albedo.R", "G"};
+  image.pixels = {1, 2, 3, 4, 5, 6, 7, 8, 9};
+  writeExr(folder.file("a.exr"), image);
+  const Image back = readExr(folder.file("a.exr"));
+  EXPECT_EQ(back.channels, (std::vector<std::string>{"R", "G", "B", "A", "Z", "N.X", "N.Z",
+                                                     "albedo.R", "albedo.G"}));
+  EXPECT_EQ(back.pixels, (std::vector<float>{6, 9, 3, 7, 2, 4, 1, 8, 5}));
+}
+
+TEST(Exr, SaysInOneLineWhyAFileCannotBeRead) {
+  const Folder folder;
+  const std::string missing = folder.file("missing.exr");
+  expectError(ExitCode::Usage, "missing.exr\": No such file", [&] { readExr(missing); });
+  expectError(ExitCode::Usage, "cannot read", [&] { readExr(folder.file("")); });
+
+  std::ofstream(folder.file("text.exr")) << "this is no picture";
+  expectError(ExitCode::Usage, "text.exr", [&] { readExr(folder.file("text.exr")); });
+
+  Image noise = rgbImage(64, 64);
+  for (std::size_t i = 0; i < noise.pixels.size(); ++i) {
+    noise.pixels[i] = static_cast<float>((i * 2654435761u) % 100003u);
+  }
+  writeExr(folder.file("cut.exr"), noise);
+  std::filesystem::resize_file(folder.file("cut.exr"), 20000);
+  expectError(ExitCode::Usage, "cut.exr", [&] { readExr(folder.file("cut.exr")); });
+}
+
+TEST(Exr, RefusesWhatIsNoPictureOrNoAttribute) {
+  const Folder folder;
+  const std::string file = folder.file("a.exr");
+  Image image = rgbImage(2, 2);
+  image.pixels.pop_back();
+  expectError(ExitCode::Output, "11 numbers, not 12", [&] { writeExr(file, image); });
+  expectError(ExitCode::Output, "0 x 2", [&] { writeExr(file, rgbImage(0, 2)); });
+  image = rgbImage(2, 2);
+  image.channels[2] = "R";
+  expectError(ExitCode::Output, "twice", [&] { writeExr(file, image); });
+  expectError(ExitCode::Output, "channels", [&] {
+    writeExr(file, rgbImage(2, 2), {{"channels", 3}});
+  });
+  EXPECT_EQ(folder.size(), 0u);
+}
+
+}  // namespace
+}  // namespace laver

@@ -1,0 +1,77 @@
+#include <gtest/gtest.h>
+
+#include "render/plan.h"
+
+namespace laver {
+namespace {
+
+VkPhysicalDeviceLimits lavapipeLimits() {
+  VkPhysicalDeviceLimits limits{};
+  limits.maxStorageBufferRange = 128U << 20;
+  limits.maxTexelBufferElements = 128U << 20;
+  for (auto& count : limits.maxComputeWorkGroupCount) count = 65535;
+  return limits;
+}
+
+TEST(RenderPlan, RegionHasTheApronInsideTheFilmOnly) {
+  EXPECT_EQ(regionOf({0, 0, 100, 50}, 2, 100, 50), glm::uvec4(0, 0, 100, 50));
+  EXPECT_EQ(regionOf({10, 20, 30, 40}, 2, 100, 50), glm::uvec4(8, 18, 24, 24));
+  EXPECT_EQ(regionOf({1, 0, 100, 49}, 2, 100, 50), glm::uvec4(0, 0, 100, 50));
+}
+
+/// Every row is in one band, and no pass holds more than the plan says or the device allows.
+void expectFits(int width, int height, std::uint32_t apron, std::uint32_t samples) {
+  const auto limits = lavapipeLimits();
+  const Crop film{0, 0, width, height};
+  const RenderPlan plan = planRender(limits, film, width, height, apron, samples, 0);
+  ASSERT_GE(plan.bandRows, 1U);
+  ASSERT_GE(plan.samplesAPass, 1U);
+  ASSERT_LE(plan.samplesAPass, samples);
+  EXPECT_LE(plan.sampleSlots * kRadianceBytes, limits.maxStorageBufferRange);
+  EXPECT_LE(plan.sampleSlots * weightBytes(apron), limits.maxStorageBufferRange);
+  EXPECT_LE(plan.bandPixels * sizeof(shared::FilmPixel), limits.maxStorageBufferRange);
+  for (int y = 0; y < height; y += static_cast<int>(plan.bandRows)) {
+    const Crop band{0, y, width, std::min(height, y + static_cast<int>(plan.bandRows))};
+    const glm::uvec4 region = regionOf(band, apron, width, height);
+    ASSERT_LE(std::uint64_t{region.z} * region.w * plan.samplesAPass, plan.sampleSlots);
+  }
+  const std::uint64_t side = 2 * apron + 1;
+  EXPECT_LT(plan.samplesAPass * (side * side + side + 1), 65535U);
+}
+
+TEST(RenderPlan, AnyFilmFitsTheDevice) {
+  expectFits(1280, 720, 2, 1);
+  expectFits(1280, 720, 2, 4096);
+  expectFits(1, 1, 2, 65536);
+  expectFits(16384, 16384, 2, 1);
+  expectFits(16384, 16384, 1, 16);
+  expectFits(7, 100000, 2, 3);
+  expectFits(640, 480, 20, 64);
+}
+
+TEST(RenderPlan, AFilterTooWideIsRefusedWithBothNumbers) {
+  try {
+    planRender(lavapipeLimits(), {0, 0, 64, 64}, 64, 64, 200, 1, 0);
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::Device);
+    EXPECT_EQ(std::string(error.what()),
+              "the filter reaches 200 pixels to each side; gathering takes 161203 loop iterations "
+              "a sample, one invocation may run 60000");
+  }
+}
+
+TEST(RenderPlan, AFilmTooWideIsRefusedByTheLimitsName) {
+  VkPhysicalDeviceLimits limits = lavapipeLimits();
+  limits.maxStorageBufferRange = 1U << 20;
+  try {
+    planRender(limits, {0, 0, 100000, 64}, 100000, 64, 2, 1, 0);
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("maxStorageBufferRange"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("500000"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace laver

@@ -1,0 +1,50 @@
+// What laver lacks is only warned of where the picture does not need it.
+#include "unit/scene_files.h"
+
+namespace {
+using namespace laver;
+using namespace laver::scene_test;
+
+class SceneLacking : public testing::Test {
+ protected:
+  void SetUp() override { files_.write("t.obj", kTriangle); }
+  Files files_;
+};
+
+TEST_F(SceneLacking, WhatTheIntegratorDoesNotNeedIsWarnedOf) {
+  const std::string tail = "; ignored, integrator \"normals\" does not need it";
+  EXPECT_EQ(
+      files_.warnings(scene("<medium type=\"homogeneous\"><phase type=\"hg\"/></medium>\n"
+                            "<test type=\"ttest\"/>\n<emitter type=\"envmap\"/>\n" +
+                            mesh("<bsdf type=\"disney\"><foo/></bsdf><emitter type=\"area\"/>\n"
+                                 "<subsurface type=\"dipole\"/>") +
+                            mesh("<bsdf type=\"diffuse\">\n<texture name=\"albedo\" "
+                                 "type=\"checker\"/></bsdf>"))),
+      "f.xml:2:2: warning: laver has no medium of type \"homogeneous\": it has none" + tail +
+          "\nf.xml:3:2: warning: laver has no test of type \"ttest\": it has none" + tail +
+          "\nf.xml:4:2: warning: laver has no emitter of type \"envmap\": expected \"pointlight\" "
+          "or \"point\" (nearest: \"point\")" +
+          tail +
+          "\nf.xml:5:58: warning: laver has no bsdf of type \"disney\": expected \"diffuse\"" +
+          tail +
+          "\nf.xml:5:91: warning: laver has no emitter of type \"area\": expected \"pointlight\" "
+          "or \"point\" (nearest: \"point\")" +
+          tail + "\nf.xml:6:2: warning: unknown tag <subsurface>: the nearest is <bsdf>" + tail +
+          "\nf.xml:7:2: warning: laver has no texture of type \"checker\": it has none" + tail);
+}
+
+TEST_F(SceneLacking, WhittedDoesNotNeedAMediumOrATest) {
+  EXPECT_EQ(files_.warnings(scene("<medium type=\"a\"/><test type=\"b\"/>", "direct_whitted")),
+            "f.xml:2:2: warning: laver has no medium of type \"a\": it has none; ignored, "
+            "integrator \"direct_whitted\" does not need it\n"
+            "f.xml:2:20: warning: laver has no test of type \"b\": it has none; ignored, "
+            "integrator \"direct_whitted\" does not need it");
+}
+
+TEST_F(SceneLacking, MeshWithAnAreaLightKeepsItsGeometry) {
+  const auto s = files_.load(scene(mesh("<emitter type=\"area\"/>"), "depth")).scene;
+  ASSERT_EQ(s.meshes.size(), 1u);
+  EXPECT_EQ(s.meshes[0].triangles.size(), 1u);
+}
+
+}  // namespace

@@ -1,0 +1,151 @@
+// Where mesh files are found, and what the command line replaces.
+#include "unit/scene_files.h"
+
+namespace {
+using namespace laver;
+using namespace laver::scene_test;
+
+std::string meshOf(const std::string& file) {
+  return scene("<mesh type=\"obj\"><string name=\"filename\" value=\"" + file + "\"/></mesh>");
+}
+
+double heightOf(const LoadedScene& loaded) { return loaded.scene.meshes.at(0).positions.at(0).z; }
+
+std::string triangleAt(int z) {
+  const std::string h = " " + std::to_string(z) + "\n";
+  return "v 0 0" + h + "v 1 0" + h + "v 0 1" + h + "f 1 2 3\n";
+}
+
+/// Runs in another working directory.
+class WorkingDirectory {
+ public:
+  explicit WorkingDirectory(const std::string& folder) { std::filesystem::current_path(folder); }
+  ~WorkingDirectory() { std::filesystem::current_path(before_); }
+  WorkingDirectory(const WorkingDirectory&) = delete;
+  WorkingDirectory& operator=(const WorkingDirectory&) = delete;
+
+ private:
+  std::filesystem::path before_ = std::filesystem::current_path();
+};
+
+TEST(SceneLookup, BesideTheSceneBeforeTheWorkingDirectory) {
+  const Files files;
+  files.write("scenes/m.obj", triangleAt(1));
+  files.write("work/m.obj", triangleAt(2));
+  files.write("work/only.obj", triangleAt(3));
+  const std::string a = files.write("scenes/a.xml", meshOf("m.obj"));
+  const std::string b = files.write("scenes/b.xml", meshOf("only.obj"));
+  const WorkingDirectory inside(files.path("work"));
+  EXPECT_EQ(heightOf(loadScene(a)), 1.0);
+  EXPECT_EQ(heightOf(loadScene(b)), 3.0);
+}
+
+TEST(SceneLookup, SceneOfTheWorkingDirectoryWithoutAPath) {
+  const Files files;
+  files.write("m.obj", triangleAt(4));
+  files.write("s.xml", meshOf("m.obj"));
+  const WorkingDirectory inside(files.path("."));
+  EXPECT_EQ(heightOf(loadScene("s.xml")), 4.0);
+}
+
+TEST(SceneLookup, ParentFoldersAndAbsolutePaths) {
+  const Files files;
+  files.write("meshes/m.obj", triangleAt(5));
+  const std::string a = files.write("scenes/a.xml", meshOf("../meshes/m.obj"));
+  const std::string b = files.write("scenes/b.xml", meshOf(files.path("meshes/m.obj")));
+  EXPECT_EQ(heightOf(loadScene(a)), 5.0);
+  EXPECT_EQ(heightOf(loadScene(b)), 5.0);
+}
+
+TEST(SceneLookup, FaultsOfASharedFileAreToldOnce) {
+  const Files files;
+  files.write("m.obj", "f 1\n");
+  files.write("sub/x", "");
+  EXPECT_EQ(files.errors("<scene><integrator type=\"normals\"/>"
+                         "<mesh type=\"obj\"><string name=\"filename\" value=\"m.obj\"/></mesh>"
+                         "<mesh type=\"obj\"><string name=\"filename\" value=\"sub/../m.obj\"/>"
+                         "</mesh></scene>"),
+            "m.obj:1: error: a face takes 3 corners or more, found 1\n"
+            "m.obj:1: error: vertex index 1 is out of range, the file has 0");
+}
+
+TEST(SceneLookup, SharedFileWithTwoTransforms) {
+  const Files files;
+  files.write("t.obj", triangleAt(0));
+  const auto s =
+      files
+          .load(scene(mesh("<transform name=\"toWorld\"><translate value=\"0 0 1\"/></transform>") +
+                      mesh("<transform name=\"toWorld\"><translate value=\"0 0 2\"/></transform>")))
+          .scene;
+  ASSERT_EQ(s.meshes.size(), 2u);
+  EXPECT_EQ(s.meshes[0].positions[2], glm::dvec3(0, 1, 1));
+  EXPECT_EQ(s.meshes[1].positions[2], glm::dvec3(0, 1, 2));
+}
+
+TEST(SceneLookup, MeshWithoutFacesIsAWarning) {
+  const Files files;
+  files.write("t.obj", "v 0 0 0\n");
+  EXPECT_EQ(files.warnings(scene(mesh())), "f.xml:2:2: warning: mesh file \"t.obj\" has no faces");
+  EXPECT_TRUE(files.load(scene(mesh())).scene.meshes.at(0).triangles.empty());
+}
+
+TEST(SceneLookup, PointAtInfinity) {
+  const Files files;
+  files.write("t.obj", kTriangle);
+  EXPECT_EQ(files.errors(scene(mesh("<transform name=\"toWorld\"><matrix value=\"1 0 0 0, 0 1 0 0, "
+                                    "0 0 1 0, 1 0 0 -1\"/></transform>"))),
+            "f.xml:2:2: error: the transform takes a point of \"t.obj\" to infinity");
+}
+
+TEST(SceneOverride, IntegratorMakesAnotherAWarningAndLightsUnneeded) {
+  const Files files;
+  files.write("t.obj", kTriangle);
+  const std::string xml = scene(mesh("\n<bsdf type=\"mirror\"/>"), "path_mis");
+  EXPECT_EQ(files.warnings(xml, with(Integrator::Normals)),
+            "f.xml:1:9: warning: laver has no integrator of type \"path_mis\": expected "
+            "\"normals\", \"direct_whitted\" or \"depth\" (nearest: \"normals\"); ignored, "
+            "integrator \"normals\" does not need it\n"
+            "f.xml:3:2: warning: laver has no bsdf of type \"mirror\": expected \"diffuse\"; "
+            "ignored, integrator \"normals\" does not need it");
+  EXPECT_EQ(files.errors(xml, with(Integrator::DirectWhitted)),
+            "f.xml:3:2: error: laver has no bsdf of type \"mirror\": expected \"diffuse\"");
+  EXPECT_EQ(files.load(scene("", "depth"), with(Integrator::Normals)).scene.integrator,
+            Integrator::Normals);
+}
+
+TEST(SceneOverride, IntegratorForASceneWithoutOne) {
+  const Files files;
+  const auto loaded = files.load("<scene/>", with(Integrator::Depth));
+  EXPECT_EQ(loaded.scene.integrator, Integrator::Depth);
+  EXPECT_TRUE(loaded.warnings.empty());
+}
+
+TEST(SceneOverride, SizeSamplesAndSeedReplaceWhatTheSceneSays) {
+  const Files files;
+  SceneOverrides overrides;
+  overrides.size = {{30, 20}};
+  overrides.sampleCount = 9;
+  overrides.seed = -3;
+  const std::string bad = scene(
+      "<camera type=\"perspective\"><integer name=\"width\" value=\"0\"/></camera>"
+      "<sampler type=\"independent\"><integer name=\"sampleCount\" value=\"0\"/></sampler>");
+  for (const std::string& xml : {bad, scene("")}) {
+    const Scene s = files.load(xml, overrides).scene;
+    EXPECT_EQ(s.camera.width, 30);
+    EXPECT_EQ(s.camera.height, 20);
+    EXPECT_EQ(s.sampler.sampleCount, 9u);
+    EXPECT_EQ(s.sampler.seed, -3);
+  }
+}
+
+TEST(SceneOverride, AreCheckedThemselves) {
+  const Files files;
+  SceneOverrides overrides;
+  overrides.size = {{0, 20}};
+  overrides.sampleCount = 0;
+  EXPECT_EQ(files.errors(scene(""), overrides),
+            "f.xml:1:2: error: width must be 1 to 2147483647 pixels, found 0\n"
+            "f.xml:1:2: error: sampleCount must be 1 to 4294967295, found 0");
+}
+
+}  // namespace

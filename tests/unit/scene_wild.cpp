@@ -1,0 +1,225 @@
+// One scene for each way in which scenes in the wild are written, and what is only warned of.
+#include "unit/scene_files.h"
+
+namespace {
+using namespace laver;
+using namespace laver::scene_test;
+
+class SceneWild : public testing::Test {
+ protected:
+  void SetUp() override { files_.write("t.obj", kTriangle); }
+  Files files_;
+};
+
+TEST_F(SceneWild, FirstSceneOfTheHandOut) {
+  const auto loaded = files_.load(
+      "<?xml version=\"1.0\"?>\n<scene>\n<integrator type=\"normals\">\n"
+      "<string name=\"myProperty\" value=\"Hello!\"/>\n</integrator>\n</scene>\n");
+  ASSERT_EQ(loaded.warnings.size(), 1u);
+  EXPECT_EQ(
+      files_.plain(loaded.warnings[0]),
+      "f.xml:4:2: warning: integrator \"normals\" has no property \"myProperty\": ignored; it "
+      "takes none");
+  const Scene standard;
+  EXPECT_EQ(loaded.scene.camera.width, standard.camera.width);
+  EXPECT_EQ(loaded.scene.camera.height, standard.camera.height);
+  EXPECT_EQ(loaded.scene.sampler.sampleCount, 1u);
+  EXPECT_TRUE(loaded.scene.meshes.empty());
+}
+
+TEST_F(SceneWild, DefaultsOfTheTableAreThoseOfTheStructs) {
+  const Scene s = files_
+                      .load(scene("<camera type=\"perspective\"><rfilter type=\"mitchell\"/>"
+                                  "</camera><sampler type=\"independent\"/>"
+                                  "<emitter type=\"pointlight\"/>" +
+                                  mesh("<bsdf type=\"diffuse\"/>")))
+                      .scene;
+  const Camera camera;
+  EXPECT_EQ(s.camera.width, camera.width);
+  EXPECT_EQ(s.camera.height, camera.height);
+  EXPECT_EQ(s.camera.fov, camera.fov);
+  EXPECT_EQ(s.camera.nearClip, camera.nearClip);
+  EXPECT_EQ(s.camera.farClip, camera.farClip);
+  EXPECT_EQ(s.camera.toWorld, camera.toWorld);
+  EXPECT_EQ(s.filter.kind, Filter::Kind::Mitchell);
+  EXPECT_EQ(s.filter.radius, 2.0);
+  EXPECT_EQ(s.filter.B, Filter().B);
+  EXPECT_EQ(s.filter.C, Filter().C);
+  EXPECT_EQ(s.sampler.sampleCount, Sampler().sampleCount);
+  EXPECT_EQ(s.sampler.seed, Sampler().seed);
+  ASSERT_EQ(s.lights.size(), 1u);
+  EXPECT_EQ(s.lights[0].position, PointLight().position);
+  EXPECT_EQ(s.lights[0].radiance, PointLight().radiance);
+  ASSERT_EQ(s.meshes.size(), 1u);
+  EXPECT_EQ(s.meshes[0].bsdf.albedo, Diffuse().albedo);
+}
+
+TEST_F(SceneWild, EveryValueReachesItsPlace) {
+  const auto loaded = files_.load(
+      "<!-- before -->\r\n<?xml version='1.0' encoding='utf-8'?>\r\n<!-- the root "
+      "-->\r\n<scene>\r\n"
+      "<integrator type=\"depth\"/>\r\n<sampler type=\"independent\">"
+      "<integer name=\"sampleCount\" value=\" 64 \"/><integer name=\"seed\" value=\"-7\"/>"
+      "</sampler>\r\n<camera type=\"perspective\"><float name=\"fov\" value=\".5\"/>"
+      "<integer name=\"width\" value=\"+64\"/><integer name=\"height\" value=\"32\"/>"
+      "<float name=\"nearClip\" value=\"1e-3\"/><float name=\"farClip\" value=\"1E+3\"/>"
+      "<rfilter type=\"gaussian\"><float name=\"radius\" value=\"3\"/>"
+      "<float name=\"stddev\" value=\"0.25\"/></rfilter></camera></scene>\r\n");
+  EXPECT_TRUE(loaded.warnings.empty());
+  const Scene& s = loaded.scene;
+  EXPECT_EQ(s.file, files_.path("f.xml"));
+  EXPECT_EQ(s.integrator, Integrator::Depth);
+  EXPECT_EQ(s.sampler.sampleCount, 64u);
+  EXPECT_EQ(s.sampler.seed, -7);
+  EXPECT_EQ(s.camera.fov, 0.5);
+  EXPECT_EQ(s.camera.width, 64);
+  EXPECT_EQ(s.camera.height, 32);
+  EXPECT_EQ(s.camera.nearClip, 1e-3);
+  EXPECT_EQ(s.camera.farClip, 1e3);
+  EXPECT_EQ(s.filter.kind, Filter::Kind::Gaussian);
+  EXPECT_EQ(s.filter.radius, 3.0);
+  EXPECT_EQ(s.filter.stddev, 0.25);
+}
+
+TEST_F(SceneWild, TriplesWithCommasBlanksOrBoth) {
+  for (const char* triple : {"1, 2, 3", "1 2 3", "1,2,3", " 1 ,2  3 ", "1.,2e0,+3", "1\n2\t3"}) {
+    const auto loaded =
+        files_.load(scene("<emitter type=\"pointlight\"><point name=\"position\" "
+                          "value=\"" +
+                          std::string(triple) + "\"/></emitter>"));
+    EXPECT_EQ(loaded.scene.lights.at(0).position, glm::dvec3(1, 2, 3)) << triple;
+    EXPECT_TRUE(loaded.warnings.empty());
+  }
+}
+
+TEST_F(SceneWild, LookAtInAnyOrderOfAttributes) {
+  const auto cameraOf = [&](const std::string& operations) {
+    return files_
+        .load(scene("<camera type=\"perspective\"><transform name=\"toWorld\">" + operations +
+                    "</transform></camera>"))
+        .scene.camera.toWorld;
+  };
+  const glm::dmat4 a = cameraOf("<lookat target=\"0, 0, 5\" origin=\"0, 0, 1\" up=\"0, 7, 0\"/>");
+  EXPECT_EQ(a, cameraOf("<lookat up=\"0 1 0\" origin=\"0 0 1\" target=\"0 0 2\"/>"));
+  EXPECT_EQ(a, glm::dmat4(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 1, 1));
+  // The mirrored camera of 163 scenes: the first operation applies first.
+  const glm::dmat4 mirrored =
+      cameraOf("<scale value=\"-1,1,1\"/><lookat target=\"0 0 5\" origin=\"0 0 1\" up=\"0 1 0\"/>");
+  EXPECT_EQ(mirrored, glm::dmat4(-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 1, 1));
+}
+
+TEST_F(SceneWild, OperationsMultiplyFromTheLeft) {
+  files_.write("p.obj", "v 1 0 0\nv 1 1 0\nv 1 0 1\nf 1 2 3\n");
+  const auto pointOf = [&](const std::string& operations) {
+    return files_
+        .load(scene("<mesh type=\"obj\"><string name=\"filename\" value=\"p.obj\"/>"
+                    "<transform name=\"toWorld\">" +
+                    operations + "</transform></mesh>"))
+        .scene.meshes.at(0)
+        .positions.at(0);
+  };
+  EXPECT_EQ(pointOf("<translate value=\"1 0 0\"/><scale value=\"2 3 4\"/>"), glm::dvec3(4, 0, 0));
+  EXPECT_EQ(pointOf("<scale value=\"2 3 4\"/><translate value=\"1 0 0\"/>"), glm::dvec3(3, 0, 0));
+  EXPECT_EQ(pointOf("<matrix value=\"1 0 0 5  0 1 0 6\n0 0 1 7  0 0 0 1\"/>"), glm::dvec3(6, 6, 7));
+  EXPECT_EQ(pointOf("<matrix value=\"1 0 0 0, 0 1 0 0, 0 0 1 0, 0 0 0 4\"/>"),
+            glm::dvec3(0.25, 0, 0));
+  const glm::dvec3 turned = pointOf("<rotate axis=\"0 0 9\" angle=\"90\"/>");
+  EXPECT_NEAR(turned.x, 0.0, 1e-15);
+  EXPECT_NEAR(turned.y, 1.0, 1e-15);
+}
+
+TEST_F(SceneWild, NoSamplerIsOneSample) {
+  EXPECT_EQ(files_.load(scene("")).scene.sampler.sampleCount, 1u);
+}
+
+TEST_F(SceneWild, BoxFilterHasItsOwnRadius) {
+  const auto filterOf = [&](const std::string& type) {
+    return files_
+        .load(scene("<camera type=\"perspective\"><rfilter type=\"" + type + "\"/></camera>"))
+        .scene.filter;
+  };
+  EXPECT_EQ(filterOf("box").kind, Filter::Kind::Box);
+  EXPECT_EQ(filterOf("box").radius, 0.5);
+  EXPECT_EQ(filterOf("tent").kind, Filter::Kind::Tent);
+  EXPECT_EQ(filterOf("tent").radius, 1.0);
+}
+
+TEST_F(SceneWild, ExtraNameOfAnObjectIsFine) {
+  EXPECT_EQ(files_.warnings(scene(mesh("<bsdf type=\"diffuse\" name=\"red\"/>"))), "");
+}
+
+TEST_F(SceneWild, OtherExtraAttributesAreWarnedOf) {
+  EXPECT_EQ(files_.warnings("<scene version=\"2\">\n<integrator type=\"depth\" id=\"a\"/>\n"
+                            "<camera type=\"perspective\"><float name=\"fov\" value=\"3\" "
+                            "vaule=\"4\"/></camera></scene>"),
+            "f.xml:1:2: warning: <scene> takes no attribute \"version\": ignored\n"
+            "f.xml:2:2: warning: <integrator> takes no attribute \"id\": ignored; expected "
+            "\"type\" or \"name\" (nearest: \"type\")\n"
+            "f.xml:3:29: warning: <float> takes no attribute \"vaule\": ignored; expected \"name\" "
+            "or \"value\" (nearest: \"value\")");
+}
+
+TEST_F(SceneWild, SeveralMeshesWithAndWithoutBsdf) {
+  const auto s = files_
+                     .load(scene(mesh() +
+                                     mesh("<bsdf type=\"diffuse\"><color name=\"albedo\" "
+                                          "value=\".1, .2, .3\"/></bsdf>") +
+                                     mesh(),
+                                 "direct_whitted"))
+                     .scene;
+  ASSERT_EQ(s.meshes.size(), 3u);
+  EXPECT_EQ(s.meshes[0].bsdf.albedo, glm::dvec3(0.5));
+  EXPECT_EQ(s.meshes[1].bsdf.albedo, glm::dvec3(0.1, 0.2, 0.3));
+  EXPECT_EQ(s.meshes[2].bsdf.albedo, glm::dvec3(0.5));
+  EXPECT_EQ(s.meshes[2].name, "t.obj");
+}
+
+TEST_F(SceneWild, LightsInFileOrderThoseOfMeshesLast) {
+  const auto s =
+      files_
+          .load(scene(mesh("<emitter type=\"pointlight\"><point name=\"position\" value=\"3 0 0\"/>"
+                           "</emitter>") +
+                          "<emitter type=\"point\"><point name=\"position\" value=\"1 0 0\"/>"
+                          "<color name=\"power\" value=\"1 2 4\"/></emitter>"
+                          "<emitter type=\"pointlight\"><point name=\"position\" value=\"2 0 0\"/>"
+                          "<color name=\"radiance\" value=\"7 8 9\"/></emitter>",
+                      "direct_whitted"))
+          .scene;
+  ASSERT_EQ(s.lights.size(), 3u);
+  EXPECT_EQ(s.lights[0].position.x, 1.0);
+  EXPECT_EQ(s.lights[1].position.x, 2.0);
+  EXPECT_EQ(s.lights[2].position.x, 3.0);
+  EXPECT_DOUBLE_EQ(s.lights[0].radiance.z, 4.0 / (4.0 * 3.14159265358979323846));
+  EXPECT_EQ(s.lights[1].radiance, glm::dvec3(7, 8, 9));
+}
+
+TEST_F(SceneWild, IntegerForAFloat) {
+  const auto loaded = files_.load(
+      scene("<camera type=\"perspective\"><integer name=\"fov\" value=\"45\"/></camera>"));
+  EXPECT_EQ(loaded.scene.camera.fov, 45.0);
+  EXPECT_TRUE(loaded.warnings.empty());
+}
+
+TEST_F(SceneWild, UnknownAndDoublePropertiesAreWarnedOf) {
+  const std::string xml = scene(
+      "<camera type=\"perspective\">\n<float name=\"fow\" value=\"1\"/>\n"
+      "<float name=\"fov\" value=\"20\"/>\n<float name=\"fov\" value=\"40\"/></camera>");
+  EXPECT_EQ(files_.warnings(xml),
+            "f.xml:3:2: warning: camera \"perspective\" has no property \"fow\": ignored; the "
+            "nearest is \"fov\"\n"
+            "f.xml:5:2: warning: the property \"fov\" is there twice: the last counts");
+  EXPECT_EQ(files_.load(xml).scene.camera.fov, 40.0);
+}
+
+TEST_F(SceneWild, ByteOrderMarkAndEntities) {
+  EXPECT_EQ(files_.errors("\xEF\xBB\xBF<scene><x/></scene>").substr(0, 11), "f.xml:1:2: ");
+  files_.write("a&b.obj", kTriangle);
+  EXPECT_EQ(files_
+                .load(scene("<mesh type=\"obj\"><string name=\"filename\" value=\"a&amp;b.obj\"/>"
+                            "</mesh>"))
+                .scene.meshes.at(0)
+                .name,
+            "a&b.obj");
+}
+
+}  // namespace
