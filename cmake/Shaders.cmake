@@ -8,12 +8,12 @@ file(MAKE_DIRECTORY ${LAVER_SPIRV_DIR})
 set(includes "")
 set(entries "")
 set(arrays "")
-foreach(kernel IN LISTS LAVER_KERNELS)
-  get_filename_component(name ${kernel} NAME_WE)
+# laver_kernel(NAME FILE defines...)
+macro(laver_kernel name kernel)
   set(spirv ${LAVER_SPIRV_DIR}/${name}.spv)
   set(array ${LAVER_SPIRV_DIR}/${name}.inc)
   set(compile ${LAVER_GLSLANG} --quiet --target-env vulkan1.1
-    -I${CMAKE_CURRENT_SOURCE_DIR}/shaders ${kernel})
+    -I${CMAKE_CURRENT_SOURCE_DIR}/shaders ${ARGN} ${kernel})
   add_custom_command(OUTPUT ${spirv} ${array}
     COMMAND ${compile} -o ${spirv}
     COMMAND ${LAVER_SPIRV_VAL} --target-env vulkan1.1 ${spirv}
@@ -23,6 +23,18 @@ foreach(kernel IN LISTS LAVER_KERNELS)
   string(APPEND includes "#include \"${array}\"\n")
   string(APPEND entries "      {\"${name}\", spirv_${name}},\n")
   list(APPEND arrays ${array})
+endmacro()
+
+# An integrator is compiled for both traversals.
+foreach(kernel IN LISTS LAVER_KERNELS)
+  get_filename_component(name ${kernel} NAME_WE)
+  file(STRINGS ${kernel} integrator REGEX "integrator.glsl")
+  if(integrator)
+    laver_kernel(${name}_lane ${kernel})
+    laver_kernel(${name}_packet ${kernel} -DLAVER_PACKET)
+  else()
+    laver_kernel(${name} ${kernel})
+  endif()
 endforeach()
 
 # Only the list of kernels stands in this file; it is written anew when that changes.

@@ -46,10 +46,11 @@ installPackages() {
   apt-get install -y --no-install-recommends $missing
 }
 
+# Builds the targets named.
 buildLaver() {
   installPackages
   cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release
-  cmake --build "$build" --parallel "$jobs"
+  cmake --build "$build" --parallel "$jobs" --target "$@"
 }
 
 render() {
@@ -80,13 +81,13 @@ if [ -z "${XDG_RUNTIME_DIR:-}" ]; then
   trap 'exit 130' HUP INT TERM
 fi
 case $1 in
-  build) buildLaver ;;
+  build) buildLaver laver laver_meshes ;;
   render)
-    buildLaver
+    buildLaver laver laver_meshes
     render
     ;;
   test)
-    buildLaver
+    buildLaver all
     ctest --test-dir "$build" --output-on-failure -LE full -j "$jobs"
     ;;
 esac

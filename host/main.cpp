@@ -69,7 +69,7 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
          "render pixels x0 <= x < x1, y0 <= y < y1 only")
       ->type_name("x0,y0,x1,y1");
   app.add_option("--device", command.vulkan.device, "index, part of the name, or cpu");
-  app.add_option("--traversal", command.vulkan.traversal, "lane");
+  app.add_option("--traversal", command.vulkan.traversal, "lane or packet");
   app.add_flag("--reference", command.reference, "render in double precision on the CPU");
   app.add_flag("--nori-compat", command.options.noriCompat, "filter weights from Nori's table");
   app.add_option("-t,--threads", command.options.threads, "threads, 0 for all")

@@ -7,18 +7,19 @@
 void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
   if (!HAS_LIGHTS) return;
   Surface surfaces[R];
-  for (uint r = 0u; r < R; ++r)
+  [[dont_unroll]] for (uint r = 0u; r < R; ++r)
     surfaces[r] =
         surfaceAt(rays.origin, rays.direction[r], hits.slot[r] == NO_HIT ? 0u : hits.slot[r]);
 
-  for (uint i = 0u; i < pass.lights.y; ++i) {
+  uint i = 0u;
+  for (; i < pass.lights.y; ++i) {
     const int texel = int((pass.lights.x + i) * 2u);
     const vec3 light = texelVec3(texelFetch(lightTexels, texel));
     const vec3 power = texelVec3(texelFetch(lightTexels, texel + 1));
     vec3 points[R];
     bool live[R], seen[R];
     float cosine[R], squared[R];
-    for (uint r = 0u; r < R; ++r) {
+    [[dont_unroll]] for (uint r = 0u; r < R; ++r) {
       const Surface s = surfaces[r];
       const vec3 toLight = light - s.position;
       squared[r] = dotProduct(toLight, toLight);
@@ -30,9 +31,9 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
       points[r] = s.position + s.geometric * side;
     }
     visible(light, points, live, seen);
-    for (uint r = 0u; r < R; ++r) {
+    [[dont_unroll]] for (uint r = 0u; r < R; ++r) {
       const vec3 irradiance = power / squared[r] * cosine[r];
       if (seen[r]) radiance[r] += irradiance * albedoOf(surfaces[r]) * 0.31830989;
     }
-  }
+  }  incomplete = incomplete || i != pass.lights.y;
 }

@@ -2,24 +2,30 @@
 // integrator includes this file and defines integrate().
 #extension GL_EXT_control_flow_attributes : require
 #include "filter.glsl"
+#ifdef LAVER_PACKET
+#include "packet.glsl"
+#else
 #include "lane.glsl"
+#endif
 #include "resources.glsl"
 #include "sampler.glsl"
 #include "surface.glsl"
 
-layout(local_size_x = TRACE_GROUP) in;
+// A workgroup traces a tile of 8 x 8 pixels.
+layout(local_size_x = 64 / R) in;
 
 // Adds to `radiance` what each hit sends back along its ray. In scenes with many lights it is
 // called once for every few of them (pass.lights).
 void integrate(Rays rays, Hits hits, inout vec3 radiance[R]);
 
 // Pixel of the region and sample of the pass that ray r of this invocation traces. Eight lanes
-// hold 4 x 2 pixels. Rows of tiles are permuted, so that threads that get one range of
-// workgroups each get equal work.
+// hold 4 x 2 pixels, or a row of the tile for each of their 8 rays. Rows of tiles are permuted, so
+// that threads that get one range of workgroups each get equal work.
 uvec3 rayPlace(uint r) {
   const uint i = gl_LocalInvocationIndex;
   const uint row = gl_WorkGroupID.y * pass.samples.w % pass.samples.z;
-  const uvec2 inside = uvec2((i & 3u) | (i >> 1 & 4u), (i >> 2 & 1u) | (i >> 3 & 6u));
+  const uvec2 inside = R == 8 ? uvec2(i, r)
+                              : uvec2((i & 3u) | (i >> 1 & 4u), (i >> 2 & 1u) | (i >> 3 & 6u));
   return uvec3(uvec2(gl_WorkGroupID.x, row) * 8u + inside, gl_WorkGroupID.z);
 }
 
@@ -52,7 +58,7 @@ void main() {
   vec3 radiance[R];
   vec2 inside[R];
   uint slot[R];
-  for (uint r = 0u; r < R; ++r) {
+  [[dont_unroll]] for (uint r = 0u; r < R; ++r) {
     const uvec3 place = rayPlace(r);
     rays.live[r] = all(lessThan(place.xy, pass.region.zw));
     slot[r] = rays.live[r] ? (place.z * pass.region.w + place.y) * pass.region.z + place.x : 0u;
@@ -66,12 +72,13 @@ void main() {
     radiance[r] = vec3(0.0);
   }
   if (pass.lights.z == 0u)
-    for (uint r = 0u; r < R; ++r) radiance[r] = radianceOf[slot[r]].rgb;
+    [[dont_unroll]] for (uint r = 0u; r < R; ++r) radiance[r] = radianceOf[slot[r]].rgb;
 
   const Hits hits = closest(rays);
   integrate(rays, hits, radiance);
+  if (incomplete) atomicAdd(status.incomplete, 1u);
 
-  for (uint r = 0u; r < R; ++r) {
+  [[dont_unroll]] for (uint r = 0u; r < R; ++r) {
     if (!rays.live[r]) continue;
     vec4 result = vec4(radiance[r], 1.0);
     if (pass.lights.w != 0u) {
@@ -84,6 +91,5 @@ void main() {
     }
     radianceOf[slot[r]] = result;
     if (pass.lights.z != 0u) storeWeights(slot[r], inside[r]);
-    if (incomplete) atomicAdd(status.incomplete, 1u);
   }
 }

@@ -19,8 +19,6 @@
 uint stackRef[STACK];
 float stackDepth[STACK];
 uint stackSize;
-uint iterations = 0u;
-bool incomplete = false;
 
 struct LaneRay {
   vec3 origin;
@@ -63,12 +61,11 @@ uint pop(float last) {
     iterations++;
     if (stackDepth[stackSize] <= last) return stackRef[stackSize];
   }
-  return REF_NONE;
+  return endWalk();
 }
 
 // Pushes the children of a node that the ray can meet up to depth `last`, the nearest on top.
 void pushChildren(LaneRay ray, uint node, float last) {
-  iterations++;
   [[unroll]] for (uint turn = 8u; turn-- > 0u;) {
     const int texel = int((node * NODE_WIDTH + (turn ^ ray.octant)) * 2u);
     const uvec4 low = texelFetch(nodeTexels, texel);
@@ -114,17 +111,13 @@ LaneTriangle loadTriangle(LaneRay ray, uint slot) {
   return t;
 }
 
-bool working(uint ref) {
-  incomplete = incomplete || iterations >= MAX_ITERATIONS;
-  return ref != REF_NONE && !incomplete;
-}
-
 uint closestLane(vec3 origin, vec3 direction, float tmin, float tmax, bool live) {
   const LaneRay ray = laneRay(origin, direction, tmin);
   float last = tmax * abs(alongAxis(direction, ray.shear.axis));
   uint best = NO_HIT, bestId = NO_HIT;
   uint ref = live ? params.film.w : REF_NONE;
   stackSize = 0u;
+  ended = ref == REF_NONE;
   while (working(ref)) {
     while (ref < REF_LEAF && working(ref)) {
       pushChildren(ray, ref, last);
@@ -150,12 +143,12 @@ uint closestLane(vec3 origin, vec3 direction, float tmin, float tmax, bool live)
       ref = pop(last);
     }
   }
+  incomplete = incomplete || !ended;
   return best;
 }
 
-// A triangle blocks if the line from the point to the light passes it and its plane separates the
-// two. Edge tests are made from the point: what lies near it decides, and rounding there must not
-// grow with the light's distance.
+// Traced from the point: what lies near it decides, and rounding there must not grow with the
+// light's distance.
 bool visibleLane(vec3 light, vec3 point, bool live) {
   const LaneRay ray = laneRay(point, light - point, 0.0);
   // The light's own depth; the slack is the rounding of light - point.
@@ -163,6 +156,7 @@ bool visibleLane(vec3 light, vec3 point, bool live) {
   bool blocked = false;
   uint ref = live ? params.film.w : REF_NONE;
   stackSize = 0u;
+  ended = ref == REF_NONE;
   while (working(ref)) {
     while (ref < REF_LEAF && working(ref)) {
       pushChildren(ray, ref, last);
@@ -175,11 +169,10 @@ bool visibleLane(vec3 light, vec3 point, bool live) {
         iterations++;
         const LaneTriangle t = loadTriangle(ray, slot);
         const Edges e = edgesOf(ray.shear, t.pa, t.pb, t.pc);
-        // The same bounds as the boxes' keep the answer free of the tree.
-        const bool within = min(t.pa.z, min(t.pb.z, t.pc.z)) <= last &&
-                            max(t.pa.z, max(t.pb.z, t.pc.z)) >= 0.0;
-        blocked = blocked ||
-                  (e.inside && within && planeSeparates(t.a, t.b, t.c, light, point));
+        const vec3 n = permute(ray.shear, crossProduct(t.b - t.a, t.c - t.a));
+        const float lightSide =
+            dotProduct(n, permute(ray.shear, light) - permute(ray.shear, t.a));
+        blocked = blocked || blocks(ray.shear, last, n, lightSide, t.pa, t.pb, t.pc);
         more = blocked ? 0u : t.more;
         slot++;
       } while (more > 0u);
@@ -187,6 +180,7 @@ bool visibleLane(vec3 light, vec3 point, bool live) {
       ref = pop(last);
     }
   }
+  incomplete = incomplete || !ended;
   return live && !blocked;
 }
 

@@ -2,8 +2,13 @@
 // uniform control flow; rays that ask nothing are marked not live.
 #ifndef LAVER_RAYS
 #define LAVER_RAYS
+#include "shared/layout.h"
 
-const uint R = 1;  // lane traversal
+#ifdef LAVER_PACKET
+const uint R = 8;
+#else
+const uint R = 1;
+#endif
 
 // Rays origin + t * direction with tmin <= t <= tmax.
 struct Rays {
@@ -22,7 +27,25 @@ struct Hits {
 // Nearest hits.
 Hits closest(Rays rays);
 
-// visible[r] = nothing lies between the light and points[r]; false where not live.
+// seen[r] = nothing lies between the light and points[r]; false where not live.
 void visible(vec3 light, vec3 points[R], bool live[R], out bool seen[R]);
+
+// The guard of both traversals: an invocation that has run too many loops, or out of stack, gives
+// up and says so. working() is the condition of every loop over references. A driver may cut loops
+// short without a word, lavapipe after 65,535 turns of all loops of 8 lanes together: a walk that
+// ends in any other way than by an empty stack, or a blocker, is incomplete.
+uint iterations = 0u;
+bool incomplete = false;
+bool ended = false;
+
+bool working(uint ref) {
+  iterations++;
+  incomplete = incomplete || iterations >= MAX_ITERATIONS;
+  return ref != REF_NONE && !incomplete;
+}
+uint endWalk() {
+  ended = true;
+  return REF_NONE;
+}
 
 #endif

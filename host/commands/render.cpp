@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <stdlib.h>
+#include <sys/resource.h>
 
 #include <chrono>
 #include <filesystem>
@@ -50,6 +51,13 @@ std::filesystem::path outputOf(const RenderCommand& command) {
   checkReplaceable(exr.string());
   checkReplaceable(std::filesystem::path(exr).replace_extension(".png").string());
   return exr;
+}
+
+/// Largest resident size of the process so far.
+std::uint64_t peakBytes() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
 }
 
 void writeStats(const RenderCommand& command, const Stats& stats) {
@@ -118,10 +126,11 @@ ExitCode run(const RenderCommand& command) {
     std::cout << fmt::format("Writing a {}x{} OpenEXR file to \"{}\"\n", image.width, image.height,
                              exr.string());
   auto pngDone = std::async(std::launch::async, [&] { writePng(png.string(), image); });
-  writeExr(exr.string(), image, metadataOf(scene, stats, renderSeconds));
+  writeExr(exr.string(), image, metadataOf(scene, stats, renderSeconds), command.options.threads);
   pngDone.get();
   stats.seconds.write = since(writeStart);
   stats.seconds.total = since(start);
+  stats.peakBytes = peakBytes();
   writeStats(command, stats);
   if (!std::cout.flush()) throw Error(ExitCode::Output, "standard output cannot be written");
   return ExitCode::Ok;

@@ -8,15 +8,18 @@
 #include <OpenEXR/ImfMatrixAttribute.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
+#include <OpenEXR/ImfThreading.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <exception>
+#include <utility>
 #include <vector>
 
 #include "core/error.h"
+#include "core/parallel.h"
 #include "image/atomic_file.h"
 #include "image/image_defect.h"
 #include "image/io.h"
@@ -38,7 +41,7 @@ class MemoryStream final : public Imf::OStream {
   std::uint64_t tellp() override { return position_; }
   void seekp(std::uint64_t position) override { position_ = position; }
 
-  const std::vector<std::byte>& bytes() const { return bytes_; }
+  std::vector<std::byte> takeBytes() { return std::move(bytes_); }
 
  private:
   std::vector<std::byte> bytes_;
@@ -67,7 +70,11 @@ struct AttributeWriter {
   }
 };
 
-std::vector<std::byte> encode(const Image& image, const Metadata& metadata, const char* name) {
+std::vector<std::byte> encode(const Image& image, const Metadata& metadata, const char* name,
+                              unsigned threads) {
+  const int workers = static_cast<int>(threadCount(threads));
+  // One pool serves the whole process; it never shrinks below what another call asked for.
+  if (Imf::globalThreadCount() < workers) Imf::setGlobalThreadCount(workers);
   Imf::Header header(image.width, image.height);
   header.compression() = Imf::ZIP_COMPRESSION;
   for (const auto& [key, value] : metadata) std::visit(AttributeWriter{header, key}, value);
@@ -83,21 +90,22 @@ std::vector<std::byte> encode(const Image& image, const Metadata& metadata, cons
   }
   MemoryStream stream(name);
   {
-    Imf::OutputFile output(stream, header);
+    Imf::OutputFile output(stream, header, workers);
     output.setFrameBuffer(frame);
     output.writePixels(image.height);
   }  // the table of lines is written here
-  return stream.bytes();
+  return stream.takeBytes();
 }
 
 }  // namespace
 
-void writeExr(const std::string& file, const Image& image, const Metadata& metadata) {
+void writeExr(const std::string& file, const Image& image, const Metadata& metadata,
+              unsigned threads) {
   std::string reason = imageDefect(image);
   std::vector<std::byte> bytes;
   if (reason.empty()) {
     try {
-      bytes = encode(image, metadata, file.c_str());
+      bytes = encode(image, metadata, file.c_str(), threads);
     } catch (const std::exception& error) {
       reason = error.what();
       std::replace(reason.begin(), reason.end(), '\n', ' ');

@@ -11,9 +11,11 @@ namespace laver {
 /// Attributes of an EXR file by name; matrices are glm's column-vector convention.
 using Metadata = std::map<std::string, std::variant<std::string, double, int, glm::dmat4>>;
 
-/// Writes 32-bit float channels, ZIP-compressed. The file is written beside its place and renamed,
-/// so that `file` is the old or the new picture, never half of one. Throws Error(Output).
-void writeExr(const std::string& file, const Image& image, const Metadata& metadata = {});
+/// Writes 32-bit float channels, ZIP-compressed on `threads` threads (0: all). The file is written
+/// beside its place and renamed, so that `file` is the old or the new picture, never half of one.
+/// Throws Error(Output).
+void writeExr(const std::string& file, const Image& image, const Metadata& metadata = {},
+              unsigned threads = 0);
 
 /// Reads every channel of an EXR file as float, over its data window. Names stay as in the file;
 /// they come sorted by layer and name, but R, G, B, A of a layer come first and in that order.

@@ -14,7 +14,7 @@ namespace laver {
 struct VulkanOptions {
   std::string device;                 ///< as choosePhysicalDevice takes it
   bool validate = false;              ///< every validation message is an error
-  std::string traversal;              ///< empty: the device's best; only "lane" so far
+  std::string traversal;              ///< "lane" or "packet"; empty: packet where the device can
   std::uint64_t samplesInFlight = 0;  ///< for tests: 0 is the renderer's own choice
   bool generic = false;               ///< for tests: kernels not specialised to the scene
 };

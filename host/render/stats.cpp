@@ -60,6 +60,7 @@ nlohmann::json Stats::json() const {
             {"perPass", samplesAPass},
             {"passes", passes},
             {"bands", bands}}},
+          {"peakBytes", peakBytes},
           {"leftOut", leftOut}};
 }
 
@@ -81,6 +82,8 @@ std::string Stats::text() const {
       ms(seconds.vulkanStart), ms(seconds.load), ms(seconds.build), ms(seconds.upload),
       ms(seconds.compile), ms(seconds.trace), ms(seconds.reconstruct), ms(seconds.readBack),
       ms(seconds.write), ms(seconds.total));
+  out += fmt::format("memory       {:.0f} MiB at the peak\n",
+                     static_cast<double>(peakBytes) / 1048576.0);
   for (const auto& line : leftOut) out += fmt::format("left out     {}\n", line);
   return out;
 }

@@ -49,6 +49,8 @@ Device::Device(VkPhysicalDevice physical) {
   vkGetPhysicalDeviceProperties2(physical, &properties);
   properties_ = properties.properties;
   subgroupSize_ = subgroup.subgroupSize;
+  shuffles_ = (subgroup.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT) != 0 &&
+              (subgroup.supportedOperations & VK_SUBGROUP_FEATURE_SHUFFLE_BIT) != 0;
   maxAllocation_ = maintenance.maxMemoryAllocationSize;
   driver_ = fmt::format("{} {}", driver.driverName, driver.driverInfo);
   vkGetPhysicalDeviceMemoryProperties(physical, &memory_);

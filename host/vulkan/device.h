@@ -31,6 +31,7 @@ class Device {
   std::string name() const { return properties_.deviceName; }
   std::string driver() const { return driver_; }
   std::uint32_t subgroupSize() const { return subgroupSize_; }
+  bool shufflesInCompute() const { return shuffles_; }
   std::uint64_t maxAllocation() const { return maxAllocation_; }
 
   /// A memory type of `bits` with all of `flags`, or -1.
@@ -48,6 +49,7 @@ class Device {
   VkPhysicalDeviceMemoryProperties memory_{};
   std::string driver_;
   std::uint32_t subgroupSize_ = 0;
+  bool shuffles_ = false;
   std::uint64_t maxAllocation_ = 0;
   VkDevice device_ = VK_NULL_HANDLE;
   VkQueue queue_ = VK_NULL_HANDLE;

@@ -38,7 +38,6 @@ LAVER_CONST uint FILTER_MITCHELL = 1;
 LAVER_CONST uint FILTER_TENT = 2;
 LAVER_CONST uint FILTER_BOX = 3;
 
-LAVER_CONST uint TRACE_GROUP = 64;  // invocations a workgroup: a tile of 8 x 8 pixels
 LAVER_CONST uint GATHER_GROUP_X = 32;
 LAVER_CONST uint GATHER_GROUP_Y = 2;
 

@@ -92,14 +92,18 @@ LAVER_FN float depthOf(Edges e, float az, float bz, float cz) {
   return max(min(az, min(bz, cz)), min(depth, max(az, max(bz, cz))));
 }
 
-// True if the plane of the triangle passes between p and q (all in one space): then a triangle
-// whose edge test passes on the line through them blocks their view of each other. No distance is
-// compared, so the test does not lose accuracy as q moves away.
-LAVER_FN bool planeSeparates(vec3 a, vec3 b, vec3 c, vec3 p, vec3 q) {
-  vec3 n = crossProduct(b - a, c - a);
-  float sideP = dotProduct(n, p - a);
-  float sideQ = dotProduct(n, q - a);
-  return (sideP > 0.0f && sideQ < 0.0f) || (sideP < 0.0f && sideQ > 0.0f);
+// Does a triangle block the view between a point and a light? Everything is permuted for the line
+// from the point to the light: corners relative to the point, `normal` of any length, and
+// `lightSide` = normal . (light - a). It does where the edge test passes on the line and the plane
+// has the two on either side; depths are only held within `last`, the light's own, as boxes are, so
+// that the answer is free of the tree. No hit distance is compared: its error would grow with the
+// light's distance.
+LAVER_FN bool blocks(Shear shear, float last, vec3 normal, float lightSide, vec3 a, vec3 b,
+                     vec3 c) {
+  Edges e = edgesOf(shear, a, b, c);
+  float side = dotProduct(normal, a);  // of the point, negated
+  bool apart = (lightSide > 0.0f && side > 0.0f) || (lightSide < 0.0f && side < 0.0f);
+  return e.inside && apart && min(a.z, min(b.z, c.z)) <= last && max(a.z, max(b.z, c.z)) >= 0.0f;
 }
 
 LAVER_SHARED_END

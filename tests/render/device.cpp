@@ -69,6 +69,28 @@ TEST(Device, AFlatFieldIsFlatWithEveryFilter) {
   }
 }
 
+TEST(Device, APacketThatMeetsTooMuchIsTracedRayByRay) {
+  // One packet sees all of a fine ball: more turns than lavapipe runs.
+  Scene scene;
+  scene.integrator = Integrator::Depth;
+  scene.meshes = {ball(250, 500, 0.05, glm::dvec3(0.0, 0.0, 250.0))};
+  scene.camera.width = scene.camera.height = 8;
+  scene.camera.fov = 0.5;
+  VulkanOptions lane = cpuDevice(), packet = cpuDevice();
+  lane.traversal = "lane";
+  packet.traversal = "packet";
+  Stats stats;
+  const Image image = Renderer(packet).render(scene, {}, stats);
+  EXPECT_EQ(stats.traversal, "lane");
+  EXPECT_EQ(differingFloats(image, render(scene, lane)), 0U);
+  EXPECT_NEAR(image.at(4, 4, 0), 1.0F / 249.0F, 1e-5F);
+  // Left to itself the renderer does not try.
+  Stats own;
+  Renderer(cpuDevice()).render(scene, {}, own);
+  EXPECT_EQ(own.traversal, "lane");
+  EXPECT_EQ(own.leftOut.size() + 1, stats.leftOut.size());
+}
+
 TEST(Device, NoHoleInAClosedMeshSeenFromInside) {
   // One sample a pixel, box filter: a ray that escapes leaves a black pixel.
   Scene scene;

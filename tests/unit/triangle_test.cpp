@@ -85,12 +85,26 @@ TEST(TriangleTest, ShearTakesTheFirstOfEqualAxes) {
   EXPECT_EQ(shearOf({0, 0, -2}).sign, -1.0F);
 }
 
-TEST(TriangleTest, PlaneSeparatesOnlyPointsOnBothSides) {
+/// blocks() for unpermuted arguments.
+bool blocked(vec3 a, vec3 b, vec3 c, vec3 point, vec3 light) {
+  const Shear shear = shearOf(light - point);
+  const vec3 n = permute(shear, crossProduct(b - a, c - a));
+  return blocks(shear, std::abs(alongAxis(light - point, shear.axis)), n,
+                dotProduct(n, permute(shear, light - a)), permute(shear, a - point),
+                permute(shear, b - point), permute(shear, c - point));
+}
+
+TEST(TriangleTest, BlocksOnlyPointsOnBothSides) {
   const vec3 a(0, 0, 0), b(1, 0, 0), c(0, 1, 0);
-  EXPECT_TRUE(planeSeparates(a, b, c, {0, 0, 1}, {0, 0, -1}));
-  EXPECT_TRUE(planeSeparates(a, b, c, {0, 0, -1}, {0, 0, 1}));
-  EXPECT_FALSE(planeSeparates(a, b, c, {0, 0, 1}, {0, 0, 0.5F}));
-  EXPECT_FALSE(planeSeparates(a, b, c, {0, 0, 1}, {0.2F, 0.2F, 0}));  // on the plane
+  const vec3 above(0.2F, 0.2F, 1), below(0.3F, 0.1F, -1), on(0.2F, 0.2F, 0);
+  EXPECT_TRUE(blocked(a, b, c, above, below));
+  EXPECT_TRUE(blocked(a, b, c, below, above));
+  EXPECT_TRUE(blocked(a, c, b, above, below));  // either winding
+  EXPECT_FALSE(blocked(a, b, c, above, vec3(0.2F, 0.2F, 0.5F)));
+  EXPECT_FALSE(blocked(a, b, c, above, on));
+  EXPECT_FALSE(blocked(a, b, c, on, above));
+  EXPECT_FALSE(blocked(a, b, c, vec3(2, 2, 1), vec3(2, 2, -1)));  // beside it
+  EXPECT_FALSE(blocked(a, b, c, above, vec3(0.2F, 0.2F, 3)));     // behind the point
 }
 
 }  // namespace
