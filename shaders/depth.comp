@@ -4,7 +4,7 @@
 
 // One over the distance from the camera to the first hit, in scene units.
 void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
-  [[dont_unroll]] for (uint r = 0u; r < R; ++r) {
+  FOR_RAYS (uint r = 0u; r < R; ++r) {
     if (hits.slot[r] == NO_HIT) continue;
     const vec3 d = rays.direction[r];
     const Surface s = surfaceAt(rays.origin, d, hits.slot[r]);

@@ -7,7 +7,7 @@
 void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
   if (!HAS_LIGHTS) return;
   Surface surfaces[R];
-  [[dont_unroll]] for (uint r = 0u; r < R; ++r)
+  FOR_RAYS (uint r = 0u; r < R; ++r)
     surfaces[r] =
         surfaceAt(rays.origin, rays.direction[r], hits.slot[r] == NO_HIT ? 0u : hits.slot[r]);
 
@@ -19,7 +19,7 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
     vec3 points[R];
     bool live[R], seen[R];
     float cosine[R], squared[R];
-    [[dont_unroll]] for (uint r = 0u; r < R; ++r) {
+    FOR_RAYS (uint r = 0u; r < R; ++r) {
       const Surface s = surfaces[r];
       const vec3 toLight = light - s.position;
       squared[r] = dotProduct(toLight, toLight);
@@ -31,7 +31,7 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
       points[r] = s.position + s.geometric * side;
     }
     visible(light, points, live, seen);
-    [[dont_unroll]] for (uint r = 0u; r < R; ++r) {
+    FOR_RAYS (uint r = 0u; r < R; ++r) {
       const vec3 irradiance = power / squared[r] * cosine[r];
       if (seen[r]) radiance[r] += irradiance * albedoOf(surfaces[r]) * 0.31830989;
     }

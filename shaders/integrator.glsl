@@ -1,6 +1,5 @@
 // The frame of a trace kernel: camera rays in, radiance and filter weights of each sample out. An
 // integrator includes this file and defines integrate().
-#extension GL_EXT_control_flow_attributes : require
 #include "filter.glsl"
 #ifdef LAVER_PACKET
 #include "packet.glsl"
@@ -58,7 +57,7 @@ void main() {
   vec3 radiance[R];
   vec2 inside[R];
   uint slot[R];
-  [[dont_unroll]] for (uint r = 0u; r < R; ++r) {
+  FOR_RAYS (uint r = 0u; r < R; ++r) {
     const uvec3 place = rayPlace(r);
     rays.live[r] = all(lessThan(place.xy, pass.region.zw));
     slot[r] = rays.live[r] ? (place.z * pass.region.w + place.y) * pass.region.z + place.x : 0u;
@@ -72,13 +71,13 @@ void main() {
     radiance[r] = vec3(0.0);
   }
   if (pass.lights.z == 0u)
-    [[dont_unroll]] for (uint r = 0u; r < R; ++r) radiance[r] = radianceOf[slot[r]].rgb;
+    FOR_RAYS (uint r = 0u; r < R; ++r) radiance[r] = radianceOf[slot[r]].rgb;
 
   const Hits hits = closest(rays);
   integrate(rays, hits, radiance);
   if (incomplete) atomicAdd(status.incomplete, 1u);
 
-  [[dont_unroll]] for (uint r = 0u; r < R; ++r) {
+  FOR_RAYS (uint r = 0u; r < R; ++r) {
     if (!rays.live[r]) continue;
     vec4 result = vec4(radiance[r], 1.0);
     if (pass.lights.w != 0u) {

@@ -4,7 +4,7 @@
 
 // Component-wise absolute value of the shading normal; black where nothing is hit.
 void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
-  [[dont_unroll]] for (uint r = 0u; r < R; ++r) {
+  FOR_RAYS (uint r = 0u; r < R; ++r) {
     if (hits.slot[r] == NO_HIT) continue;
     radiance[r] = abs(surfaceAt(rays.origin, rays.direction[r], hits.slot[r]).normal);
   }

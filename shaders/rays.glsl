@@ -4,10 +4,15 @@
 #define LAVER_RAYS
 #include "shared/layout.h"
 
+#extension GL_EXT_control_flow_attributes : require
+
+// Loops over an invocation's rays that need no speed are kept as loops: kernels stay small.
 #ifdef LAVER_PACKET
 const uint R = 8;
+#define FOR_RAYS [[dont_unroll]] for
 #else
 const uint R = 1;
+#define FOR_RAYS [[unroll]] for
 #endif
 
 // Rays origin + t * direction with tmin <= t <= tmax.
