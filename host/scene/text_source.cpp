@@ -13,6 +13,7 @@ namespace laver::xml {
 
 TextSource::TextSource(std::string file, std::string text)
     : file_(std::move(file)), text_(std::move(text)), lineStarts_{0} {
+  if (text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3);
   for (std::size_t i = 0; i < text_.size(); ++i) {
     const bool crLf = text_[i] == '\r' && i + 1 < text_.size() && text_[i + 1] == '\n';
     if (text_[i] == '\n' || (text_[i] == '\r' && !crLf)) lineStarts_.push_back(i + 1);
