@@ -41,6 +41,7 @@ FileText readFile(const std::string& file) {
   const auto status = std::filesystem::status(file, error);
   if (status.type() == std::filesystem::file_type::not_found) return {{}, "no such file"};
   if (std::filesystem::is_directory(status)) return {{}, "is a folder, expected a file"};
+  if (std::filesystem::is_character_file(status)) return {{}, "is a device, expected a file"};
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return {{}, fmt::format("cannot be opened: {}", std::strerror(errno))};

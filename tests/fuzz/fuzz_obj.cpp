@@ -46,6 +46,7 @@ void checkData(const obj::ObjData& data, const obj::Counts& counts,
 }
 
 void load(std::string text) {
+  const std::string original = text;
   const obj::CheckResult checked = obj::check(text);
   for (const auto* issues : {&checked.errors, &checked.warnings}) {
     for (const obj::Issue& issue : *issues) {
@@ -55,7 +56,7 @@ void load(std::string text) {
   }
   if (!checked.errors.empty()) return;
   const obj::ObjData data = obj::parse(text, checked.counts);
-  checkData(data, checked.counts, verticesOf(text));
+  checkData(data, checked.counts, verticesOf(original));
   Mesh mesh;
   if (!obj::toWorld(data, glm::dmat4(1.0), mesh)) return;
   require(mesh.triangles.size() + mesh.droppedTriangles == data.triangles.size(),
