@@ -23,10 +23,10 @@ if(LAVER_TIDY)
   find_program(LAVER_CLANG_TIDY clang-tidy REQUIRED)
   find_program(LAVER_CLANG_FORMAT clang-format REQUIRED)
   set(CMAKE_CXX_CLANG_TIDY ${LAVER_CLANG_TIDY} --quiet)
-  file(GLOB_RECURSE formatted CONFIGURE_DEPENDS
-    host/*.cpp host/*.h tests/*.cpp tests/*.h scenes/*.cpp)
   add_custom_target(format ALL
-    COMMAND ${LAVER_CLANG_FORMAT} --dry-run -Werror ${formatted}
+    COMMAND find host tests scenes ( -name *.cpp -o -name *.h )
+      -exec ${LAVER_CLANG_FORMAT} --dry-run -Werror {} +
+    WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}
     COMMENT "clang-format finds nothing to change" VERBATIM)
 endif()
 
