@@ -3,7 +3,7 @@
 #   coverage.sh GCOVR SOURCE
 set -eu
 
-"$1" --root "$2" --object-directory . --filter "$2/host/" --csv . | awk -F, '
+"$1" --root "$2" --object-directory . --filter "$2/host/" --csv - | awk -F, '
   NR == 1 { next }
   {
     folder = $1
