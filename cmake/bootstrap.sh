@@ -1,6 +1,6 @@
 #!/bin/sh
-# From a bare Debian 12 to a picture or a test run:
-#   sh cmake/bootstrap.sh build|render|test
+# From a bare Debian 12 to a picture, a test run or all checks:
+#   sh cmake/bootstrap.sh build|render|test|check
 set -eu
 
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
@@ -11,6 +11,7 @@ packages='
   libgtest-dev libopenexr-dev libpng-dev libpugixml-dev libtinyobjloader-dev libvulkan-dev
   libvulkan-volk-dev libvulkan1 mesa-vulkan-drivers ninja-build nlohmann-json3-dev spirv-tools
   vulkan-validationlayers'
+checkPackages='clang clang-format clang-tidy dpkg-dev file gcovr libclang-rt-dev'
 
 usage() {
   cat >&2 <<'TEXT'
@@ -18,6 +19,8 @@ usage: sh cmake/bootstrap.sh COMMAND
   build   install the Debian packages that are missing (as root), build laver into build/
   render  build, then render scenes/bunny-whitted.xml on the CPU
   test    build, then run the tests
+  check   install more packages, then clang-tidy and clang-format, the tests under sanitizers,
+          line coverage, the Debian package, and a minute of each fuzzer; half an hour or more
 TEXT
   exit 2
 }
@@ -59,6 +62,53 @@ render() {
   echo "Wrote $picture and ${picture%.exr}.png"
 }
 
+buildPreset() {
+  echo "== $1"
+  cmake --preset "$1"
+  cmake --build --preset "$1" --parallel "$jobs"
+}
+
+testPreset() {
+  buildPreset "$1"
+  ctest --preset "$1" -j "$jobs"
+}
+
+# What the package holds must render without this tree.
+checkPackage() {
+  buildPreset package
+  rm -f build-package/*.deb
+  cpack --preset package
+  unpacked="build-package/unpacked"
+  rm -rf "$unpacked"
+  dpkg-deb -x build-package/*.deb "$unpacked"
+  "$unpacked/usr/bin/laver" "$unpacked/usr/share/laver/scenes/cornell-two-lights.xml" \
+    --device cpu --size 64x64 -o "$unpacked/picture.exr"
+  dpkg-deb -I build-package/*.deb
+}
+
+# What a fuzzer adds to its seeds is kept in build-fuzz/, and so is a file that breaks it.
+fuzz() {
+  found=build-fuzz/found-$1
+  mkdir -p "$found"
+  build-fuzz/tests/fuzz/"fuzz_$1" -max_total_time=60 -timeout=10 -print_final_stats=1 \
+    -dict=tests/fuzz/"$1.dict" -artifact_prefix=build-fuzz/ "$found" "tests/fuzz/$1"
+}
+
+check() {
+  packages="$packages $checkPackages"
+  installPackages
+  cd "$root"
+  buildPreset tidy
+  testPreset asan
+  testPreset coverage
+  cmake --build --preset coverage --target coverage
+  checkPackage
+  buildPreset fuzz
+  fuzz scene
+  fuzz obj
+  echo 'All checks passed.'
+}
+
 # One job for each processor, but no more than one for each 1.5 GiB of memory that a compiler takes.
 countJobs() {
   jobs=$(nproc)
@@ -69,7 +119,7 @@ countJobs() {
 
 [ $# -eq 1 ] || usage
 case $1 in
-  build | render | test) ;;
+  build | render | test | check) ;;
   *) usage ;;
 esac
 countJobs
@@ -86,6 +136,7 @@ case $1 in
     buildLaver laver laver_meshes
     render
     ;;
+  check) check ;;
   test)
     buildLaver all
     ctest --test-dir "$build" --output-on-failure -LE full -j "$jobs"

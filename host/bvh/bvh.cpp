@@ -14,7 +14,6 @@
 namespace laver {
 namespace {
 
-using shared::Child;
 using shared::Node;
 using shared::NODE_WIDTH;
 using shared::Triangle;

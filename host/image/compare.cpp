@@ -66,7 +66,7 @@ std::vector<ChannelDifference> compare(const Image& a, const Image& b, double to
   requireComparable(a, b, tolerance);
   const std::size_t stride = a.channels.size();
   const std::size_t count = a.pixels.size() / stride;
-  const double n = static_cast<double>(count);
+  const auto n = static_cast<double>(count);
   std::vector<double> differences(count);
   std::vector<ChannelDifference> result;
   for (std::size_t channel = 0; channel < stride; ++channel) {
@@ -74,7 +74,7 @@ std::vector<ChannelDifference> compare(const Image& a, const Image& b, double to
     ChannelDifference sum;
     sum.channel = a.channels[channel];
     for (std::size_t p = 0; p < count; ++p) {
-      const double reference = static_cast<double>(b.pixels[p * stride + other]);
+      const auto reference = static_cast<double>(b.pixels[p * stride + other]);
       const double d = distance(static_cast<double>(a.pixels[p * stride + channel]), reference);
       differences[p] = d;
       sum.rmse += d * d;

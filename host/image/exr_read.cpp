@@ -54,7 +54,7 @@ Image decode(const std::string& file) {
   image.height = window.max.y - window.min.y + 1;
   image.channels = channelNames(header.channels());
   const std::size_t row = static_cast<std::size_t>(image.width) * image.channels.size();
-  const std::size_t rows = static_cast<std::size_t>(image.height);
+  const auto rows = static_cast<std::size_t>(image.height);
   if (row != 0 && rows > image.pixels.max_size() / row) throw std::runtime_error("it is too large");
   image.pixels.resize(row * rows);
 

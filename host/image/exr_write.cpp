@@ -33,7 +33,7 @@ class MemoryStream final : public Imf::OStream {
   explicit MemoryStream(const char* name) : OStream(name) {}
 
   void write(const char bytes[], int count) override {
-    const std::size_t size = static_cast<std::size_t>(count);
+    const auto size = static_cast<std::size_t>(count);
     if (bytes_.size() < position_ + size) bytes_.resize(position_ + size);
     std::memcpy(bytes_.data() + position_, bytes, size);
     position_ += size;

@@ -19,8 +19,8 @@ glm::vec2 samplePosition(const Camera& camera, const Sampler& sampler, int x, in
   const auto seed = static_cast<std::uint64_t>(sampler.seed);
   Pcg32 random(static_cast<std::uint64_t>(blockX) + seed,
                static_cast<std::uint64_t>(blockY) + seed);
-  const auto pixel = static_cast<std::uint64_t>((y - blockY) * blockWidth + (x - blockX));
-  random.advance(dimensions * (pixel * sampler.sampleCount + sample));
+  const int pixel = (y - blockY) * blockWidth + (x - blockX);
+  random.advance(dimensions * (static_cast<std::uint64_t>(pixel) * sampler.sampleCount + sample));
   const float jitterY = random.nextFloat();
   const float jitterX = random.nextFloat();
   return {static_cast<float>(x) + jitterX, static_cast<float>(y) + jitterY};

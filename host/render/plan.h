@@ -28,6 +28,6 @@ glm::uvec4 regionOf(Crop core, std::uint32_t apron, int width, int height);
 
 /// Bytes that one sample in flight takes in the radiance and in the weights buffer.
 inline constexpr std::uint64_t kRadianceBytes = 16;
-inline std::uint64_t weightBytes(std::uint32_t apron) { return 2 * (2 * apron + 1) * 4; }
+inline std::uint64_t weightBytes(std::uint32_t apron) { return 8 * (2 * std::uint64_t{apron} + 1); }
 
 }  // namespace laver

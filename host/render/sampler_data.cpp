@@ -6,7 +6,7 @@ namespace laver {
 namespace {
 
 constexpr std::uint64_t kMultiplier = 6364136223846793005ULL;
-constexpr std::uint64_t kBlockPixels = 32 * 32;
+constexpr std::uint64_t kBlockPixels = std::uint64_t{32} * 32;
 constexpr std::uint64_t kNumbersPerSample = 4;
 /// Samples that the first of the two tables by sample covers.
 constexpr std::uint32_t kLowSamples = 1024;

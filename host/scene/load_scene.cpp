@@ -8,6 +8,17 @@
 #include "scene/reader.h"
 
 namespace laver {
+
+xml::Draft xml::readDraft(const TextSource& source, const SceneOverrides& overrides,
+                          Diagnostics& diagnostics) {
+  pugi::xml_document document;
+  const pugi::xml_node root = parseDocument(source, document, diagnostics);
+  Draft draft{overrides, {}, {}, {}};
+  draft.scene.file = source.file();
+  if (root) Reader(source, draft, diagnostics).readScene(root);
+  return draft;
+}
+
 namespace {
 
 LoadedScene load(const std::string& file, const SceneOverrides& overrides) {
@@ -15,17 +26,10 @@ LoadedScene load(const std::string& file, const SceneOverrides& overrides) {
   if (!read.problem.empty()) {
     throw Error(ExitCode::Scene, fmt::format("{}: error: {}", file, read.problem));
   }
-  if (read.text.starts_with("\xEF\xBB\xBF")) read.text.erase(0, 3);
   const xml::TextSource source(file, std::move(read.text));
   xml::Diagnostics diagnostics(source);
-  pugi::xml_document document;
-  const pugi::xml_node root = xml::parseDocument(source, document, diagnostics);
-  xml::Draft draft{overrides, {}, {}, {}};
-  if (root) {
-    draft.scene.file = file;
-    xml::Reader(source, draft, diagnostics).readScene(root);
-    xml::loadMeshes(source, draft, diagnostics);
-  }
+  xml::Draft draft = xml::readDraft(source, overrides, diagnostics);
+  xml::loadMeshes(source, draft, diagnostics);
   diagnostics.throwErrors();
   return {std::move(draft.scene), diagnostics.warnings()};
 }

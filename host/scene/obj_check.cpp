@@ -96,10 +96,23 @@ class Checker {
     }
     for (std::size_t i = 1; i < words.size(); ++i) {
       const auto number = parseReal(words[i]);
-      if (number) continue;
+      if (number) {
+        simplify(words[i], number.value);
+        continue;
+      }
       error(lines_.offsetOf(words[i]),
             fmt::format("{} {}", xml::inQuotes(words[i]), number.problem));
     }
+  }
+
+  // tinyobjloader makes NaN of 0e400, overflows in the exponent of 1e-9999999999, and loses what
+  // hundreds of digits add up to. The shortest form of any double has 24 characters or fewer.
+  void simplify(std::string_view word, double value) {
+    std::array<char, 24> shortest;
+    if (value != 0.0 && word.size() <= shortest.size()) return;
+    const auto end = std::to_chars(shortest.begin(), shortest.end(), value).ptr;
+    const auto size = static_cast<std::size_t>(end - shortest.begin());
+    lines_.replace(word, {shortest.data(), size});
   }
 
   void checkFace() {

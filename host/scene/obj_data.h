@@ -39,7 +39,8 @@ struct CheckResult {
 
 /// Looks at every line of an OBJ text, as tinyobjloader reads faulty numbers as 0 and says nothing.
 /// Blanks in place what that parser does not know: a byte order mark, comments behind data, the
-/// ends of continued lines. More than `maxIndices` vertices or triangle corners are an error.
+/// ends of continued lines. Numbers that it would not read right are rewritten. More than
+/// `maxIndices` vertices or triangle corners are an error.
 CheckResult check(std::string& text, std::uint64_t maxIndices = 0x7fffffff);
 
 /// Parses a text that check() found no error in. Polygons become triangles: a quad (a b c d) gives

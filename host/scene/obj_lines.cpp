@@ -61,6 +61,11 @@ void Lines::split(std::size_t end) {
   }
 }
 
+void Lines::replace(std::string_view word, std::string_view text) {
+  const auto place = text_.begin() + static_cast<std::ptrdiff_t>(offsetOf(word));
+  std::fill_n(std::copy(text.begin(), text.end(), place), word.size() - text.size(), ' ');
+}
+
 std::size_t Lines::lineOf(std::size_t offset) const {
   std::size_t line = 1;
   for (std::size_t i = 0; i < offset && i < text_.size(); ++i) {

@@ -23,6 +23,8 @@ class Lines {
   std::size_t offsetOf(std::string_view word) const {
     return static_cast<std::size_t>(word.data() - text_.data());
   }
+  /// Puts a text in the place of a word that is as long or longer.
+  void replace(std::string_view word, std::string_view text);
   /// The number of the line at an offset, from 1, as the file counted them. Slow.
   std::size_t lineOf(std::size_t offset) const;
 

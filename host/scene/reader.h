@@ -34,4 +34,8 @@ class Reader {
   std::optional<Integrator> integrator_;  // the one that will run, if it is known
 };
 
+/// Reads a scene's tags into a draft, whose meshes are still to be loaded.
+Draft readDraft(const TextSource& source, const SceneOverrides& overrides,
+                Diagnostics& diagnostics);
+
 }  // namespace laver::xml

@@ -13,6 +13,7 @@ namespace laver::xml {
 
 TextSource::TextSource(std::string file, std::string text)
     : file_(std::move(file)), text_(std::move(text)), lineStarts_{0} {
+  if (text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3);
   for (std::size_t i = 0; i < text_.size(); ++i) {
     const bool crLf = text_[i] == '\r' && i + 1 < text_.size() && text_[i + 1] == '\n';
     if (text_[i] == '\n' || (text_[i] == '\r' && !crLf)) lineStarts_.push_back(i + 1);
@@ -40,6 +41,7 @@ FileText readFile(const std::string& file) {
   const auto status = std::filesystem::status(file, error);
   if (status.type() == std::filesystem::file_type::not_found) return {{}, "no such file"};
   if (std::filesystem::is_directory(status)) return {{}, "is a folder, expected a file"};
+  if (std::filesystem::is_character_file(status)) return {{}, "is a device, expected a file"};
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return {{}, fmt::format("cannot be opened: {}", std::strerror(errno))};

@@ -7,7 +7,8 @@
 
 namespace laver::xml {
 
-/// A text with its file name, to turn byte offsets into places a reader can go to.
+/// A text with its file name, to turn byte offsets into places a reader can go to. A byte order
+/// mark is left out.
 class TextSource {
  public:
   TextSource(std::string file, std::string text);

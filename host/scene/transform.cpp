@@ -115,7 +115,7 @@ bool isSingular(const glm::dmat4& matrix) {
 }
 
 glm::dmat3 normalMatrix(const glm::dmat4& matrix) {
-  if (!isAffine(matrix)) return glm::dmat3(glm::transpose(glm::inverse(matrix)));
+  if (!isAffine(matrix)) return glm::transpose(glm::dmat3(glm::inverse(matrix)));
   const double size = std::max({largest(glm::dvec3(matrix[0])), largest(glm::dvec3(matrix[1])),
                                 largest(glm::dvec3(matrix[2]))});
   int exponent = 0;

@@ -1,8 +1,9 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <filesystem>
 #include <numbers>
 #include <string>
@@ -77,9 +78,10 @@ inline std::size_t differingFloats(const Image& a, const Image& b) {
   EXPECT_EQ(a.width, b.width);
   EXPECT_EQ(a.height, b.height);
   if (a.pixels.size() != b.pixels.size()) return std::max(a.pixels.size(), b.pixels.size());
+  const auto bits = [](float value) { return std::bit_cast<std::uint32_t>(value); };
   std::size_t count = 0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i)
-    count += std::memcmp(&a.pixels[i], &b.pixels[i], sizeof(float)) != 0 ? 1 : 0;
+    count += bits(a.pixels[i]) != bits(b.pixels[i]) ? 1 : 0;
   return count;
 }
 

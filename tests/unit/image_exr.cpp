@@ -27,6 +27,7 @@ using image_test::Folder;
 
 std::vector<std::uint32_t> bits(const std::vector<float>& values) {
   std::vector<std::uint32_t> result;
+  result.reserve(values.size());
   for (const float value : values) result.push_back(std::bit_cast<std::uint32_t>(value));
   return result;
 }

@@ -15,6 +15,7 @@ void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
 std::vector<std::string> lines(const std::vector<obj::Issue>& issues) {
   std::vector<std::string> result;
+  result.reserve(issues.size());
   for (const auto& issue : issues) {
     result.push_back(std::to_string(issue.line) + ": " + issue.message);
   }

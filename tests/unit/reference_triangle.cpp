@@ -8,7 +8,7 @@
 namespace laver::reference {
 namespace {
 
-__extension__ typedef __int128 Int128;
+__extension__ using Int128 = __int128;
 
 int exactTurn(std::int64_t ax, std::int64_t ay, std::int64_t bx, std::int64_t by) {
   const Int128 value = static_cast<Int128>(ax) * by - static_cast<Int128>(ay) * bx;
@@ -112,7 +112,7 @@ TEST(ReferenceTriangle, PlaneDistanceOfASliver) {
     if (!found) continue;
     ++hits;
     const LongVec d(ray.direction);
-    const double truth = static_cast<double>(-10 / (d.x + d.y + d.z));
+    const auto truth = static_cast<double>(-10 / (d.x + d.y + d.z));
     worstCrossing = std::max(worstCrossing, std::abs(found->t / truth - 1));
     worstPlane = std::max(worstPlane, std::abs(planeT(sliver, ray, found->t) / truth - 1));
   }

@@ -171,6 +171,9 @@ const std::vector<Case> kValues = {
     {"folder_for_a_file",
      scene("<mesh type=\"obj\">" + number("string", "filename", ".") + "</mesh>"),
      "f.xml:2:2: error: mesh file \".\": is a folder, expected a file"},
+    {"device_for_a_file",
+     scene("<mesh type=\"obj\">" + number("string", "filename", "/dev/zero") + "</mesh>"),
+     "f.xml:2:2: error: mesh file \"/dev/zero\": is a device, expected a file"},
 };
 
 const std::vector<Case> kTransforms = {
