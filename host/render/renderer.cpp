@@ -50,12 +50,12 @@ void resolve(std::span<const shared::FilmPixel> film, int firstRow, Image& image
 
 /// The traversal to run: `wanted`, or the faster one that the device can. Throws Error.
 std::string traversalFor(const Device& device, const std::string& wanted) {
-  const bool packets = device.subgroupSize() == 8 && device.shufflesInCompute();
-  if (wanted.empty()) return packets ? "packet" : "lane";
-  if (wanted == "packet" && !packets)
+  const std::string best = bestTraversal(device.info());
+  if (wanted.empty()) return best;
+  if (wanted == "packet" && best != "packet")
     throw Error(ExitCode::Device,
                 fmt::format("traversal packet needs subgroups of 8 lanes that shuffle; {} has {}",
-                            device.name(), device.subgroupSize()));
+                            device.name(), device.info().subgroupSize));
   if (wanted != "packet" && wanted != "lane")
     throw Error(ExitCode::Usage, fmt::format("no traversal is named \"{}\"; there are lane and "
                                              "packet",
@@ -208,6 +208,10 @@ class Render {
 };
 
 }  // namespace
+
+std::string bestTraversal(const DeviceInfo& device) {
+  return device.subgroupSize == 8 && device.shuffles ? "packet" : "lane";
+}
 
 struct Renderer::Impl {
   explicit Impl(const VulkanOptions& o)

@@ -10,6 +10,12 @@
 
 namespace laver {
 
+struct DeviceInfo;
+
+/// The faster traversal that the device can run: "packet" where subgroups have 8 lanes that
+/// shuffle, else "lane". A scene too dense for packets goes by lane all the same.
+std::string bestTraversal(const DeviceInfo& device);
+
 /// Choices of the Vulkan renderer.
 struct VulkanOptions {
   std::string device;                 ///< as choosePhysicalDevice takes it

@@ -2,26 +2,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 
-#include "vulkan/device.h"
+#include "core/error.h"
+#include "vulkan/device_info.h"
 
 namespace laver {
 namespace {
-
-const char* typeName(VkPhysicalDeviceType type) {
-  switch (type) {
-    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
-      return "discrete GPU";
-    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
-      return "integrated GPU";
-    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
-      return "virtual GPU";
-    case VK_PHYSICAL_DEVICE_TYPE_CPU:
-      return "CPU";
-    default:
-      return "other";
-  }
-}
 
 int rank(VkPhysicalDeviceType type) {
   switch (type) {
@@ -38,75 +25,45 @@ int rank(VkPhysicalDeviceType type) {
   }
 }
 
-/// Why laver cannot use the device; empty if it can.
-std::string rejection(VkPhysicalDevice device) {
-  VkPhysicalDeviceProperties properties;
-  vkGetPhysicalDeviceProperties(device, &properties);
-  if (properties.apiVersion < VK_API_VERSION_1_1) return "its Vulkan is older than 1.1";
-  std::uint32_t count = 0;
-  vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
-  std::vector<VkQueueFamilyProperties> families(count);
-  vkGetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
-  if (std::none_of(families.begin(), families.end(),
-                   [](const auto& f) { return (f.queueFlags & VK_QUEUE_COMPUTE_BIT) != 0; }))
-    return "it has no compute queue";
-  return "";
-}
-
 std::string lower(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 
-}  // namespace
-
-std::vector<std::string> listDevices(const Instance& instance) {
-  std::vector<std::string> lines;
-  for (const VkPhysicalDevice device : instance.devices()) {
-    VkPhysicalDeviceProperties p;
-    vkGetPhysicalDeviceProperties(device, &p);
-    const std::string why = rejection(device);
-    lines.push_back(fmt::format(
-        "{}: {} ({}, Vulkan {}.{}.{}){}", lines.size(), p.deviceName, typeName(p.deviceType),
-        VK_API_VERSION_MAJOR(p.apiVersion), VK_API_VERSION_MINOR(p.apiVersion),
-        VK_API_VERSION_PATCH(p.apiVersion), why.empty() ? "" : ": cannot be used, " + why));
-  }
-  return lines;
+bool isIndex(const std::string& wanted) {
+  return !wanted.empty() && wanted.size() < 6 &&
+         std::all_of(wanted.begin(), wanted.end(),
+                     [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
-VkPhysicalDevice choosePhysicalDevice(const Instance& instance, const std::string& wanted) {
-  const auto devices = instance.devices();
+bool matches(const DeviceInfo& device, std::size_t index, const std::string& wanted) {
+  if (wanted.empty()) return true;
+  if (isIndex(wanted)) return std::stoul(wanted) == index;
+  if (lower(wanted) == "cpu") return device.type == VK_PHYSICAL_DEVICE_TYPE_CPU;
+  return lower(device.name).find(lower(wanted)) != std::string::npos;
+}
+
+std::string summary(const DeviceInfo& device, std::size_t index) {
+  const std::string why = rejection(device);
+  return fmt::format("{}: {} ({}, Vulkan {}){}", index, device.name, typeName(device.type),
+                     versionText(device.apiVersion), why.empty() ? "" : ": cannot be used, " + why);
+}
+
+}  // namespace
+
+std::size_t chooseDevice(std::span<const DeviceInfo> devices, const std::string& wanted) {
   if (devices.empty()) throw Error(ExitCode::Device, "no Vulkan device found (is a driver there?)");
-  const bool isIndex = !wanted.empty() && wanted.size() < 6 &&
-                       std::all_of(wanted.begin(), wanted.end(),
-                                   [](unsigned char c) { return std::isdigit(c) != 0; });
-  VkPhysicalDevice best = VK_NULL_HANDLE;
-  int bestRank = 0;
+  std::optional<std::size_t> best;
   for (std::size_t i = 0; i < devices.size(); ++i) {
-    VkPhysicalDeviceProperties p;
-    vkGetPhysicalDeviceProperties(devices[i], &p);
-    bool matches = true;
-    if (isIndex)
-      matches = std::stoul(wanted) == i;
-    else if (lower(wanted) == "cpu")
-      matches = p.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
-    else if (!wanted.empty())
-      matches = lower(p.deviceName).find(lower(wanted)) != std::string::npos;
-    if (!matches || !rejection(devices[i]).empty()) continue;
-    if (best == VK_NULL_HANDLE || rank(p.deviceType) < bestRank) {
-      best = devices[i];
-      bestRank = rank(p.deviceType);
-    }
+    if (!matches(devices[i], i, wanted) || !rejection(devices[i]).empty()) continue;
+    if (!best || rank(devices[i].type) < rank(devices[*best].type)) best = i;
   }
-  if (best != VK_NULL_HANDLE) return best;
+  if (best) return *best;
   std::string message = wanted.empty() ? "no usable Vulkan device"
                                        : "no usable Vulkan device matches \"" + wanted + "\"";
-  const char* separator = "; there are ";
-  for (const auto& line : listDevices(instance)) {
-    message += separator + line;
-    separator = ", ";
-  }
+  for (std::size_t i = 0; i < devices.size(); ++i)
+    message += (i == 0 ? "; there are " : ", ") + summary(devices[i], i);
   throw Error(ExitCode::Device, message);
 }
 

@@ -5,28 +5,6 @@
 namespace laver {
 namespace {
 
-std::uint32_t computeFamily(VkPhysicalDevice physical) {
-  std::uint32_t count = 0;
-  vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
-  std::vector<VkQueueFamilyProperties> families(count);
-  vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
-  for (std::uint32_t i = 0; i < count; ++i)
-    if ((families[i].queueFlags & VK_QUEUE_COMPUTE_BIT) != 0) return i;
-  throw Error(ExitCode::Device, "the device has no compute queue");
-}
-
-bool hasExtension(VkPhysicalDevice physical, std::string_view name) {
-  std::uint32_t count = 0;
-  check(vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, nullptr),
-        "vkEnumerateDeviceExtensionProperties");
-  std::vector<VkExtensionProperties> extensions(count);
-  check(vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, extensions.data()),
-        "vkEnumerateDeviceExtensionProperties");
-  for (const auto& e : extensions)
-    if (name == e.extensionName) return true;
-  return false;
-}
-
 void memoryBarrier(VkCommandBuffer commands, VkPipelineStageFlags stage, VkAccessFlags access) {
   VkMemoryBarrier barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER};
   barrier.srcAccessMask = VK_ACCESS_MEMORY_WRITE_BIT;
@@ -37,25 +15,17 @@ void memoryBarrier(VkCommandBuffer commands, VkPipelineStageFlags stage, VkAcces
 
 }  // namespace
 
-Device::Device(VkPhysicalDevice physical) {
-  VkPhysicalDeviceMaintenance3Properties maintenance{
-      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES};
-  VkPhysicalDeviceSubgroupProperties subgroup{
-      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES, &maintenance, 0, 0, 0, VK_FALSE};
-  VkPhysicalDeviceDriverProperties driver{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
-  if (hasExtension(physical, VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME)) maintenance.pNext = &driver;
-  VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
-  properties.pNext = &subgroup;
-  vkGetPhysicalDeviceProperties2(physical, &properties);
-  properties_ = properties.properties;
-  subgroupSize_ = subgroup.subgroupSize;
-  shuffles_ = (subgroup.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT) != 0 &&
-              (subgroup.supportedOperations & VK_SUBGROUP_FEATURE_SHUFFLE_BIT) != 0;
-  maxAllocation_ = maintenance.maxMemoryAllocationSize;
-  driver_ = fmt::format("{} {}", driver.driverName, driver.driverInfo);
-  vkGetPhysicalDeviceMemoryProperties(physical, &memory_);
+VkPhysicalDevice choosePhysicalDevice(const Instance& instance, const std::string& wanted) {
+  const auto devices = instance.devices();
+  std::vector<DeviceInfo> infos;
+  for (const VkPhysicalDevice device : devices) infos.push_back(deviceInfo(device));
+  return devices[chooseDevice(infos, wanted)];
+}
 
-  const std::uint32_t family = computeFamily(physical);
+Device::Device(VkPhysicalDevice physical) : info_(deviceInfo(physical)) {
+  if (const std::string why = rejection(info_); !why.empty())
+    throw Error(ExitCode::Device, fmt::format("{} cannot be used: {}", info_.name, why));
+  const auto family = static_cast<std::uint32_t>(info_.computeFamily);
   const float priority = 1.0F;
   VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
   queue.queueFamilyIndex = family;
@@ -93,14 +63,14 @@ Device::~Device() {
 }
 
 int Device::memoryType(std::uint32_t bits, VkMemoryPropertyFlags flags) const {
-  for (std::uint32_t i = 0; i < memory_.memoryTypeCount; ++i)
-    if ((bits >> i & 1U) != 0 && (memory_.memoryTypes[i].propertyFlags & flags) == flags)
+  for (std::uint32_t i = 0; i < info_.memory.memoryTypeCount; ++i)
+    if ((bits >> i & 1U) != 0 && (info_.memory.memoryTypes[i].propertyFlags & flags) == flags)
       return static_cast<int>(i);
   return -1;
 }
 
 VkMemoryPropertyFlags Device::memoryFlags(std::uint32_t type) const {
-  return memory_.memoryTypes[type].propertyFlags;
+  return info_.memory.memoryTypes[type].propertyFlags;
 }
 
 void Device::run(const std::function<void(VkCommandBuffer)>& record) const {

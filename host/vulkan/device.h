@@ -3,20 +3,15 @@
 
 #include <functional>
 #include <string>
-#include <vector>
 
+#include "vulkan/device_info.h"
 #include "vulkan/handle.h"
 #include "vulkan/instance.h"
 
 namespace laver {
 
-/// Picks by `wanted`: empty (discrete before integrated before others before CPU), "cpu", an index
-/// as `laver devices` prints it, or a part of the name, case ignored. Throws Error(Device) that
-/// lists what there is and why it was rejected.
+/// The device that `wanted` means, as chooseDevice says. Throws Error(Device).
 VkPhysicalDevice choosePhysicalDevice(const Instance& instance, const std::string& wanted);
-
-/// One line a device: index, name, type, driver, and why it cannot be used, if it cannot.
-std::vector<std::string> listDevices(const Instance& instance);
 
 /// A logical device with one compute queue.
 class Device {
@@ -27,12 +22,11 @@ class Device {
   Device& operator=(const Device&) = delete;
 
   VkDevice get() const { return device_; }
-  const VkPhysicalDeviceLimits& limits() const { return properties_.limits; }
-  std::string name() const { return properties_.deviceName; }
-  std::string driver() const { return driver_; }
-  std::uint32_t subgroupSize() const { return subgroupSize_; }
-  bool shufflesInCompute() const { return shuffles_; }
-  std::uint64_t maxAllocation() const { return maxAllocation_; }
+  const DeviceInfo& info() const { return info_; }
+  const VkPhysicalDeviceLimits& limits() const { return info_.limits; }
+  const std::string& name() const { return info_.name; }
+  const std::string& driver() const { return info_.driver; }
+  std::uint64_t maxAllocation() const { return info_.maxAllocation; }
 
   /// A memory type of `bits` with all of `flags`, or -1.
   int memoryType(std::uint32_t bits, VkMemoryPropertyFlags flags) const;
@@ -45,12 +39,7 @@ class Device {
   static void requireLimit(const char* limit, std::uint64_t wanted, std::uint64_t available);
 
  private:
-  VkPhysicalDeviceProperties properties_{};
-  VkPhysicalDeviceMemoryProperties memory_{};
-  std::string driver_;
-  std::uint32_t subgroupSize_ = 0;
-  bool shuffles_ = false;
-  std::uint64_t maxAllocation_ = 0;
+  DeviceInfo info_;
   VkDevice device_ = VK_NULL_HANDLE;
   VkQueue queue_ = VK_NULL_HANDLE;
   Handle<VkCommandPool> pool_;
