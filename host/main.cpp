@@ -115,6 +115,8 @@ int dispatch(int argc, char** argv) {
       "--tolerance", compare.tolerance, "exit code 5 if the metric of a channel is beyond it");
   compareApp->add_option("--metric", compare.metric, "what the tolerance bounds")
       ->check(CLI::IsMember({"max", "p999", "rmse", "relmse"}));
+  compareApp->add_option("--out", compare.out, "folder for difference.exr and difference.png")
+      ->type_name("DIR");
   const CLI::App* devicesApp = app.add_subcommand("devices", "Lists Vulkan devices");
   app.require_subcommand(0, 1);
 

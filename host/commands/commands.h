@@ -29,6 +29,7 @@ struct CompareCommand {
   double tolerance = 0.0;
   bool judged = false;         ///< a tolerance was given: beyond it is ExitCode::Different
   std::string metric = "max";  ///< what the tolerance bounds: max, p999, rmse or relmse
+  std::string out;             ///< folder for pictures of the difference; empty: none
 };
 
 ExitCode run(const RenderCommand& command);

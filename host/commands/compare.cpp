@@ -1,10 +1,14 @@
 #include "image/compare.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 
 #include "commands/commands.h"
+#include "commands/standard_output.h"
 #include "image/compare_report.h"
+#include "image/difference.h"
+#include "image/false_colour.h"
 #include "image/io.h"
 
 namespace laver {
@@ -17,12 +21,30 @@ double valueOf(const ChannelDifference& d, const std::string& metric) {
   return d.maximum;
 }
 
+/// Writes FOLDER/difference.exr and .png, and makes the folder where there is none.
+void writeDifference(const CompareCommand& command, const Image& a, const Image& b) {
+  namespace fs = std::filesystem;
+  const fs::path folder = command.out;
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw Error(ExitCode::Output,
+                "cannot make the folder \"" + command.out + "\": " + error.message());
+  writeExr((folder / "difference.exr").string(), difference(a, b),
+           {{"comments", command.a + " minus " + command.b}});
+  writePng((folder / "difference.png").string(),
+           drawDistances(largestDistances(a, b), a.width, a.height));
+}
+
 }  // namespace
 
 ExitCode run(const CompareCommand& command) {
-  const auto differences = compare(readExr(command.a), readExr(command.b), command.tolerance);
+  const Image a = readExr(command.a);
+  const Image b = readExr(command.b);
+  const auto differences = compare(a, b, command.tolerance);
   std::cout << describe(differences, command.tolerance);
-  if (!std::cout.flush()) throw Error(ExitCode::Output, "standard output cannot be written");
+  flushStandardOutput();
+  if (!command.out.empty()) writeDifference(command, a, b);
   if (!command.judged) return ExitCode::Ok;
   // Written so that NaN is beyond any tolerance.
   const bool within = std::all_of(differences.begin(), differences.end(), [&](const auto& d) {

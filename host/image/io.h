@@ -4,6 +4,7 @@
 #include <string>
 #include <variant>
 
+#include "image/bitmap.h"
 #include "image/image.h"
 
 namespace laver {
@@ -24,5 +25,6 @@ Image readExr(const std::string& file);
 
 /// Writes R, G, B as 8-bit sRGB, clamped and rounded to nearest; replaced as writeExr does.
 void writePng(const std::string& file, const Image& image);
+void writePng(const std::string& file, const Bitmap& bitmap);
 
 }  // namespace laver

@@ -26,34 +26,39 @@ std::size_t channelIndex(const std::string& file, const Image& image, const char
   return static_cast<std::size_t>(found - image.channels.begin());
 }
 
-/// Rows of R, G, B bytes from the top.
-std::vector<std::uint8_t> srgbBytes(const std::string& file, const Image& image) {
+/// R, G, B of every pixel.
+Bitmap srgbBitmap(const std::string& file, const Image& image) {
   const std::array<std::size_t, 3> rgb = {channelIndex(file, image, "R"),
                                           channelIndex(file, image, "G"),
                                           channelIndex(file, image, "B")};
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(image.pixels.size() / image.channels.size() * 3);
-  for (std::size_t p = 0; p < image.pixels.size(); p += image.channels.size()) {
-    for (const std::size_t channel : rgb) bytes.push_back(srgb8(image.pixels[p + channel]));
+  Bitmap bitmap(image.width, image.height, {});
+  const float* pixel = image.pixels.data();
+  for (Rgb8& colour : bitmap.pixels) {
+    for (std::size_t c = 0; c < 3; ++c) colour[c] = srgb8(pixel[rgb[c]]);
+    pixel += image.channels.size();
   }
-  return bytes;
+  return bitmap;
 }
 
 }  // namespace
 
 void writePng(const std::string& file, const Image& image) {
   if (const std::string defect = imageDefect(image); !defect.empty()) refuse(file, defect);
-  const std::vector<std::uint8_t> rgb = srgbBytes(file, image);
+  writePng(file, srgbBitmap(file, image));
+}
 
+void writePng(const std::string& file, const Bitmap& bitmap) {
+  static_assert(sizeof(Rgb8) == 3);
   // libpng's simplified interface: no longjmp across our frames, and it marks 8-bit data as sRGB.
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
-  png.width = static_cast<png_uint_32>(image.width);
-  png.height = static_cast<png_uint_32>(image.height);
+  png.width = static_cast<png_uint_32>(bitmap.width);
+  png.height = static_cast<png_uint_32>(bitmap.height);
   png.format = PNG_FORMAT_RGB;
   std::vector<std::byte> encoded(PNG_IMAGE_PNG_SIZE_MAX(png));
   png_alloc_size_t size = encoded.size();
-  if (png_image_write_to_memory(&png, encoded.data(), &size, 0, rgb.data(), 0, nullptr) == 0) {
+  if (png_image_write_to_memory(&png, encoded.data(), &size, 0, bitmap.pixels.data(), 0, nullptr) ==
+      0) {
     refuse(file, png.message);
   }
   encoded.resize(size);

@@ -1,63 +1,12 @@
 // The binary as a user runs it: exit codes, one-line errors, files.
-#include <gtest/gtest.h>
-#include <sys/wait.h>
+#include "render/command_line.h"
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "image/io.h"
-#include "render/harness.h"
 
 namespace laver::test {
 namespace {
-
-namespace fs = std::filesystem;
-
-struct Outcome {
-  int code;
-  std::string out, err;
-};
-
-std::string contents(const fs::path& file) {
-  std::ifstream in(file);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-class CommandLine : public testing::Test {
- protected:
-  CommandLine() {
-    std::string name = (fs::temp_directory_path() / "laver-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
-  ~CommandLine() override { fs::remove_all(folder_); }
-
-  /// Runs `laver ARGUMENTS` in the test's folder, with variables set before it.
-  Outcome laver(const std::string& arguments, const std::string& variables = "") {
-    const std::string command = "cd " + folder_.string() + " && " + variables +
-                                " '" LAVER_BINARY "' " + arguments + " >out.txt 2>err.txt";
-    const int status = std::system(command.c_str());
-    return {WEXITSTATUS(status), contents(folder_ / "out.txt"), contents(folder_ / "err.txt")};
-  }
-  void write(const std::string& name, const std::string& text) {
-    std::ofstream(folder_ / name) << text;
-  }
-  static int lines(const std::string& text) {
-    return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
-  }
-
-  fs::path folder_;
-};
-
-// The hand-out's first scene.
-constexpr const char* kFirstScene =
-    "<scene>\n  <integrator type=\"normals\">\n"
-    "    <string name=\"myProperty\" value=\"Hello!\"/>\n  </integrator>\n  <camera "
-    "type=\"perspective\"/>\n</scene>\n";
 
 TEST_F(CommandLine, TheHandOutsFirstScene) {
   write("test.xml", kFirstScene);
@@ -165,10 +114,48 @@ TEST_F(CommandLine, CompareMeasuresAndJudges) {
   EXPECT_EQ(lines(sizes.err), 1);
 }
 
-TEST_F(CommandLine, DevicesListsTheCpu) {
+TEST_F(CommandLine, CompareDrawsTheDifference) {
+  Image a = rgbImage(20, 10), b = a;
+  a.channels[2] = b.channels[0] = "depth.Z";  // b's channels are Z G R, a's R G Z
+  b.channels[2] = "R";
+  b.at(3, 4, 1) = 0.25F;
+  b.at(5, 6, 0) = 1e-6F;
+  writeExr(path("a.exr"), a);
+  writeExr(path("b.exr"), b);
+  EXPECT_EQ(laver("compare a.exr b.exr --out new/folder --tolerance 0.1").code, 5);
+  const Image difference = readExr(path("new/folder/difference.exr"));
+  Image expected = readExr(path("a.exr"));  // its channels, in the order of reading
+  for (const auto& [x, y, name, value] :
+       {std::tuple(3, 4, "G", -0.25F), std::tuple(5, 6, "depth.Z", -1e-6F)}) {
+    const auto c = std::find(expected.channels.begin(), expected.channels.end(), name);
+    expected.at(x, y, static_cast<std::size_t>(c - expected.channels.begin())) = value;
+  }
+  EXPECT_EQ(difference.channels, expected.channels);
+  EXPECT_EQ(difference.pixels, expected.pixels);
+  EXPECT_GT(fs::file_size(path("new/folder/difference.png")), 100U);
+
+  const std::string old = contents(path("new/folder/difference.exr"));
+  writeExr(path("c.exr"), rgbImage(20, 10));
+  const Outcome channels = laver("compare a.exr c.exr --out new/folder");
+  EXPECT_EQ(channels.code, 2);
+  EXPECT_EQ(lines(channels.err), 1) << channels.err;
+  EXPECT_EQ(contents(path("new/folder/difference.exr")), old);
+  const Outcome noFolder = laver("compare a.exr b.exr --out a.exr");
+  EXPECT_EQ(noFolder.code, 1);
+  EXPECT_EQ(lines(noFolder.err), 1) << noFolder.err;
+}
+
+TEST_F(CommandLine, DevicesListsTheCpuAndItsLimits) {
   const Outcome run = laver("devices");
-  EXPECT_EQ(run.code, 0);
-  EXPECT_NE(run.out.find("CPU"), std::string::npos) << run.out;
+  EXPECT_EQ(run.code, 0) << run.err;
+  for (const char* part : {"0: ", " (default)\n", "CPU", "driver", "subgroup size", "traversal",
+                           "maxStorageBufferRange", "memory heaps"})
+    EXPECT_NE(run.out.find(part), std::string::npos) << part << ":\n" << run.out;
+  const Outcome none =
+      laver("devices", "VK_ICD_FILENAMES=/nonexistent VK_DRIVER_FILES=/nonexistent");
+  EXPECT_EQ(none.code, 4);
+  EXPECT_EQ(none.out, "");
+  EXPECT_EQ(lines(none.err), 1) << none.err;
 }
 
 }  // namespace

@@ -1,0 +1,74 @@
+#pragma once
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+
+namespace laver::test {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int code;
+  std::string out, err;
+};
+
+inline std::string contents(const fs::path& file) {
+  std::ifstream in(file);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+/// An empty folder and the binary to run in it.
+class CommandLine : public testing::Test {
+ protected:
+  CommandLine() {
+    std::string name = (fs::temp_directory_path() / "laver-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+  }
+  ~CommandLine() override { fs::remove_all(folder_); }
+
+  /// Runs `laver ARGUMENTS` in the test's folder, with what is written before it (variables,
+  /// limits) and redirections after it.
+  Outcome laver(const std::string& arguments, const std::string& variables = "",
+                const std::string& redirections = "") {
+    const std::string command = "cd " + folder_.string() + " && " + variables +
+                                " '" LAVER_BINARY "' " + arguments + " >out.txt 2>err.txt " +
+                                redirections;
+    const int status = std::system(command.c_str());
+    return {WEXITSTATUS(status), contents(folder_ / "out.txt"), contents(folder_ / "err.txt")};
+  }
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name) << text;
+  }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  /// Names in the folder, hidden ones too, without the two that laver() makes.
+  std::set<std::string> files() const {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_)) names.insert(entry.path().filename());
+    names.erase("out.txt");
+    names.erase("err.txt");
+    return names;
+  }
+  static int lines(const std::string& text) {
+    return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+  }
+
+  fs::path folder_;
+};
+
+/// The hand-out's first scene.
+inline constexpr const char* kFirstScene =
+    "<scene>\n  <integrator type=\"normals\">\n"
+    "    <string name=\"myProperty\" value=\"Hello!\"/>\n  </integrator>\n  <camera "
+    "type=\"perspective\"/>\n</scene>\n";
+
+}  // namespace laver::test
