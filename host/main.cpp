@@ -6,6 +6,7 @@
 #include <new>
 
 #include "commands/commands.h"
+#include "commands/standard_output.h"
 
 namespace {
 
@@ -123,7 +124,11 @@ int dispatch(int argc, char** argv) {
   try {
     app.parse(takeStatsFile(argc, argv, render.statsFile));
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
+    if (error.get_exit_code() == 0) {
+      app.exit(error);
+      flushStandardOutput();
+      return static_cast<int>(ExitCode::Ok);
+    }
     return fail(ExitCode::Usage, error.what());
   }
   compare.judged = tolerance->count() != 0;
@@ -136,8 +141,10 @@ int dispatch(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // A closed pipe is an error like any other, not the end of the process.
+  // A closed pipe or a file beyond a limit is an error like any other, not the end of the process.
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  occupyStandardDescriptors();
   try {
     return dispatch(argc, argv);
   } catch (const Error& error) {

@@ -7,10 +7,12 @@
 #include <fstream>
 #include <future>
 #include <iostream>
+#include <span>
 
 #include "commands/commands.h"
 #include "commands/metadata.h"
 #include "commands/progress.h"
+#include "commands/standard_output.h"
 #include "image/atomic_file.h"
 #include "image/io.h"
 #include "reference/reference.h"
@@ -65,9 +67,16 @@ void writeStats(const RenderCommand& command, const Stats& stats) {
     if (command.stats) std::cerr << stats.text();
     return;
   }
-  std::ofstream file(command.statsFile);
-  file << stats.json().dump(2) << '\n';
-  if (!file.flush()) throw Error(ExitCode::Output, command.statsFile + ": cannot be written");
+  const std::string text = stats.json().dump(2) + '\n';
+  std::error_code error;
+  const auto status = std::filesystem::status(command.statsFile, error);
+  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) {
+    replaceFile(command.statsFile, std::as_bytes(std::span(text)));
+    return;
+  }
+  std::ofstream file(command.statsFile);  // such as a pipe
+  if (!(file << text).flush())
+    throw Error(ExitCode::Output, command.statsFile + ": cannot be written");
 }
 
 Image render(const RenderCommand& command, const Scene& scene,
@@ -109,8 +118,8 @@ ExitCode run(const RenderCommand& command) {
   const auto png = std::filesystem::path(exr).replace_extension(".png");
   stats.seconds.load = since(start);
 
-  if (!command.quiet) std::cout << "Configuration: " << describe(scene) << '\n' << std::flush;
-  if (!command.quiet) std::cout << "Rendering .. " << std::flush;
+  if (!command.quiet) std::cout << "Configuration: " << describe(scene) << "\nRendering .. ";
+  flushStandardOutput();  // better now than after a long render
   const auto renderStart = Clock::now();
   const Image image = render(command, scene, renderer, stats);
   const double renderSeconds = since(renderStart);
@@ -132,7 +141,7 @@ ExitCode run(const RenderCommand& command) {
   stats.seconds.total = since(start);
   stats.peakBytes = peakBytes();
   writeStats(command, stats);
-  if (!std::cout.flush()) throw Error(ExitCode::Output, "standard output cannot be written");
+  flushStandardOutput();
   return ExitCode::Ok;
 }
 

@@ -5,13 +5,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <system_error>
 #include <utility>
 
 #include "core/error.h"
+#include "image/temporary_file.h"
 
 namespace laver {
 namespace {
@@ -25,27 +26,39 @@ std::string folderOf(const std::string& file) {
   return slash == std::string::npos ? "./" : file.substr(0, slash + 1);
 }
 
+/// What `file` names in the end, which need not exist.
+std::string followLinks(const std::string& file) {
+  namespace fs = std::filesystem;
+  constexpr int kMostLinks = 40;  // as Linux
+  std::error_code error;
+  fs::path path = file;
+  for (int links = 0; fs::is_symlink(fs::symlink_status(path, error)); ++links) {
+    if (links == kMostLinks) refuse(file, std::generic_category().message(ELOOP));
+    const fs::path next = fs::read_symlink(path, error);
+    if (error) refuse(file, error.message());
+    path = path.parent_path() / next;  // `next` alone if it is absolute
+  }
+  return path.string();
+}
+
 /// Permissions of the file to be replaced, 0 if there is none.
-mode_t replaceableMode(const std::string& file) {
+mode_t replaceableMode(const std::string& file, const std::string& target) {
   struct stat status {};
-  if (lstat(file.c_str(), &status) != 0) return 0;
+  if (lstat(target.c_str(), &status) != 0) return 0;
   if (S_ISDIR(status.st_mode)) refuse(file, std::generic_category().message(EISDIR));
-  if (S_ISLNK(status.st_mode)) refuse(file, "Is a symbolic link");
   if (!S_ISREG(status.st_mode)) refuse(file, "Is not a regular file");
-  if (access(file.c_str(), W_OK) != 0) refuse(file, std::generic_category().message(errno));
+  if (access(target.c_str(), W_OK) != 0) refuse(file, std::generic_category().message(errno));
   return status.st_mode & 07777;
 }
 
 }  // namespace
 
-AtomicFile::AtomicFile(std::string file) : file_(std::move(file)) {
-  const mode_t mode = replaceableMode(file_);
-  if (file_.empty() || file_.back() == '/') refuse(file_, "The file has no name");
-  static std::atomic<unsigned> counter{0};
-  do {
-    temporary_ = fmt::format("{}.laver-{}-{}.tmp", folderOf(file_), getpid(), counter++);
-    descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  } while (descriptor_ < 0 && errno == EEXIST);
+AtomicFile::AtomicFile(std::string file) : file_(std::move(file)), target_(followLinks(file_)) {
+  const mode_t mode = replaceableMode(file_, target_);
+  if (target_.empty() || target_.back() == '/') refuse(file_, "The file has no name");
+  const std::string folder = folderOf(target_);
+  removeAbandoned(folder);
+  descriptor_ = openTemporary(folder, temporary_);
   if (descriptor_ < 0) fail(errno);
   if (mode != 0) static_cast<void>(fchmod(descriptor_, mode));  // some file systems have no modes
 }
@@ -68,9 +81,9 @@ void AtomicFile::write(std::span<const std::byte> bytes) {
 void AtomicFile::commit() {
   // EINVAL: the file system cannot flush; the rename is atomic all the same.
   if (fsync(descriptor_) != 0 && errno != EINVAL) fail(errno);
-  if (std::rename(temporary_.c_str(), file_.c_str()) != 0) fail(errno);
+  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
   temporary_.clear();
-  const int folder = open(folderOf(file_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const int folder = open(folderOf(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (folder < 0) return;  // the folder may be writable but not readable
   fsync(folder);
   close(folder);

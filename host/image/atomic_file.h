@@ -7,7 +7,9 @@ namespace laver {
 
 /// A file that appears whole or not at all: written under another name in the same folder, flushed
 /// to the disk and renamed. Until commit() the old file is untouched; without it nothing stays.
-/// What is in the way and is no regular file (a folder, a link, a device) is never replaced.
+/// A symbolic link is followed: it stays, and what it names is made or replaced. What is in the way
+/// and is no regular file (a folder, a device) is never replaced. What killed processes left of
+/// other such files in the folder is removed.
 /// Every function throws Error(Output) with one line: the path and the reason.
 class AtomicFile {
  public:
@@ -24,7 +26,8 @@ class AtomicFile {
  private:
   [[noreturn]] void fail(int error) const;
 
-  std::string file_;
+  std::string file_;       ///< as given, for messages
+  std::string target_;     ///< without links
   std::string temporary_;  ///< empty once renamed
   int descriptor_ = -1;
 };
