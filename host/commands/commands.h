@@ -32,6 +32,8 @@ struct CompareCommand {
   std::string out;             ///< folder for pictures of the difference; empty: none
 };
 
+/// Throws what it cannot do; an interrupted render throws Error(Interrupted) or Error(Terminated)
+/// after what there is has been written under another name.
 ExitCode run(const RenderCommand& command);
 ExitCode run(const CompareCommand& command);
 /// `laver devices`.

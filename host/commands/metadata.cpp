@@ -3,14 +3,17 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <numbers>
 
 namespace laver {
 namespace {
 
-/// FNV-1a, 64 bits, of a file's bytes.
+/// FNV-1a, 64 bits, of a file's bytes. A pipe has been read and has them no more.
 std::string fileHash(const std::string& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return "none: not a regular file";
   std::ifstream in(file, std::ios::binary);
   std::uint64_t hash = 0xcbf29ce484222325ULL;
   for (char c; in.get(c);) {
@@ -34,18 +37,24 @@ glm::dmat4 cameraToNdc(const Camera& camera) {
   return m;
 }
 
-Metadata metadataOf(const Scene& scene, const Stats& stats, double renderSeconds) {
+Metadata metadataOf(const Scene& scene, const Stats& stats, double renderSeconds, bool whole) {
   const glm::dmat4 worldToCamera = glm::inverse(scene.camera.toWorld);
-  return {{"comments", fmt::format("laver {} of {}", LAVER_VERSION, scene.file)},
-          {"laverVersion", std::string(LAVER_VERSION)},
-          {"device", stats.device},
-          {"driver", stats.driver},
-          {"sceneHash", fileHash(scene.file)},
-          {"seed", std::to_string(scene.sampler.seed)},
-          {"renderTimeSeconds", renderSeconds},
-          {"samplesPerPixel", static_cast<int>(scene.sampler.sampleCount)},
-          {"worldToCamera", worldToCamera},
-          {"worldToNDC", cameraToNdc(scene.camera) * worldToCamera}};
+  Metadata metadata = {{"comments", fmt::format("laver {} of {}", LAVER_VERSION, scene.file)},
+                       {"laverVersion", std::string(LAVER_VERSION)},
+                       {"device", stats.device},
+                       {"driver", stats.driver},
+                       {"sceneHash", fileHash(scene.file)},
+                       {"seed", std::to_string(scene.sampler.seed)},
+                       {"renderTimeSeconds", renderSeconds},
+                       {"samplesPerPixel", static_cast<int>(stats.reached.samples)},
+                       {"worldToCamera", worldToCamera},
+                       {"worldToNDC", cameraToNdc(scene.camera) * worldToCamera}};
+  if (!whole) {
+    metadata["samplesPerPixelWanted"] = static_cast<int>(scene.sampler.sampleCount);
+    metadata["rowsReached"] = stats.reached.rows;
+    metadata["rowsComplete"] = stats.reached.wholeRows;
+  }
+  return metadata;
 }
 
 }  // namespace laver

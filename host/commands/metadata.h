@@ -5,8 +5,9 @@
 
 namespace laver {
 
-/// The attributes of a picture's EXR file.
-Metadata metadataOf(const Scene& scene, const Stats& stats, double renderSeconds);
+/// The attributes of a picture's EXR file. Of a picture that is not `whole` they also
+/// say how many samples a pixel were wanted and how many rows hold some and all of them.
+Metadata metadataOf(const Scene& scene, const Stats& stats, double renderSeconds, bool whole);
 
 /// Camera space to normalised device coordinates: x from 0 at the left edge of the film to 1 at
 /// the right, y from 0 at the top, z from 0 at the near to 1 at the far plane.

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "commands/commands.h"
+#include "commands/interruption.h"
 #include "commands/metadata.h"
 #include "commands/progress.h"
 #include "commands/standard_output.h"
@@ -84,6 +85,7 @@ Image render(const RenderCommand& command, const Scene& scene,
   RenderOptions options = command.options;
   Progress progress(!command.quiet);
   options.progress = [&](double share) { progress.show(share); };
+  options.stop = Interruption::noted;
   if (!command.reference) return renderer.get()->render(scene, options, stats);
   stats.device = "reference";
   stats.driver = "double precision on the CPU";
@@ -91,15 +93,31 @@ Image render(const RenderCommand& command, const Scene& scene,
   const auto start = Clock::now();
   const Reference reference(scene, options.threads);
   stats.seconds.build = since(start);
-  Image image = reference.render(options);
+  Image image = reference.render(options, stats.droppedSamples, stats.reached);
   stats.seconds.trace = since(start) - stats.seconds.build;
   return image;
 }
+
+void writePictures(const std::filesystem::path& exr, const Image& image, const Metadata& metadata,
+                   unsigned threads) {
+  const std::string png = std::filesystem::path(exr).replace_extension(".png").string();
+  auto pngDone = std::async(std::launch::async, [&] { writePng(png, image); });
+  writeExr(exr.string(), image, metadata, threads);
+  pngDone.get();
+}
+
+/// Where the picture goes if the render was ended early: a.partial.exr instead of a.exr.
+std::filesystem::path partial(std::filesystem::path exr) {
+  return exr.replace_extension(".partial.exr");
+}
+
+Error interrupted(const std::string& what) { return {Interruption::code(), "interrupted " + what}; }
 
 }  // namespace
 
 ExitCode run(const RenderCommand& command) {
   const auto start = Clock::now();
+  const Interruption interruption;
   std::future<std::unique_ptr<Renderer>> renderer;
   if (!command.reference) {
     // lavapipe reads its thread count when it starts.
@@ -114,16 +132,22 @@ ExitCode run(const RenderCommand& command) {
   const Scene& scene = loaded.scene;
   for (const auto& warning : loaded.warnings) std::cerr << warning << '\n';
   checkCrop(command.options.crop, scene.camera);
-  const auto exr = outputOf(command);
-  const auto png = std::filesystem::path(exr).replace_extension(".png");
+  const auto wanted = outputOf(command);
   stats.seconds.load = since(start);
+  const char* const nothing = "before the first pass; nothing is written";
+  if (Interruption::noted()) throw interrupted(nothing);
 
   if (!command.quiet) std::cout << "Configuration: " << describe(scene) << "\nRendering .. ";
   flushStandardOutput();  // better now than after a long render
   const auto renderStart = Clock::now();
   const Image image = render(command, scene, renderer, stats);
   const double renderSeconds = since(renderStart);
-  if (!command.quiet) std::cout << fmt::format("done. (took {})\n", timeText(renderSeconds));
+  const Reached& reached = stats.reached;
+  const bool whole = reached.wholeRows == image.height;
+  if (!command.quiet)
+    std::cout << fmt::format("{}. (took {})\n", whole ? "done" : "stopped",
+                             timeText(renderSeconds));
+  if (reached.rows == 0) throw interrupted(nothing);
   if (stats.droppedSamples != 0)
     std::cerr << fmt::format(
         "laver: warning: {} samples were negative or not finite and are left "
@@ -131,18 +155,21 @@ ExitCode run(const RenderCommand& command) {
         stats.droppedSamples);
 
   const auto writeStart = Clock::now();
+  const auto exr = whole ? wanted : partial(wanted);
   if (!command.quiet)
     std::cout << fmt::format("Writing a {}x{} OpenEXR file to \"{}\"\n", image.width, image.height,
                              exr.string());
-  auto pngDone = std::async(std::launch::async, [&] { writePng(png.string(), image); });
-  writeExr(exr.string(), image, metadataOf(scene, stats, renderSeconds), command.options.threads);
-  pngDone.get();
+  writePictures(exr, image, metadataOf(scene, stats, renderSeconds, whole),
+                command.options.threads);
   stats.seconds.write = since(writeStart);
   stats.seconds.total = since(start);
   stats.peakBytes = peakBytes();
   writeStats(command, stats);
   flushStandardOutput();
-  return ExitCode::Ok;
+  if (whole) return ExitCode::Ok;
+  throw interrupted(fmt::format("with {} of {} samples a pixel in {} of {} rows; see \"{}\"",
+                                reached.samples, scene.sampler.sampleCount, reached.rows,
+                                image.height, exr.string()));
 }
 
 }  // namespace laver

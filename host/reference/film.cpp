@@ -138,28 +138,31 @@ class Band {
 }  // namespace
 
 Image renderFilm(const Scene& scene, const RenderOptions& options, const RadianceAt& radianceAt,
-                 std::uint64_t& dropped) {
+                 std::uint64_t& dropped, Reached& reached) {
   const Crop crop = wholeOrCrop(scene.camera, options);
   const std::uint32_t count = scene.sampler.sampleCount;
   const auto columns = index(crop.x1 - crop.x0);
   const int rows = static_cast<int>(std::max<std::size_t>(samplesAtOnce / columns, 16));
   Image image = rgbImage(crop.x1 - crop.x0, crop.y1 - crop.y0);
   dropped = 0;
-  for (int y0 = crop.y0; y0 < crop.y1; y0 += rows) {
+  reached = {};
+  std::uint32_t done = count;
+  for (int y0 = crop.y0; y0 < crop.y1 && done == count; y0 += rows) {
     const int y1 = std::min(y0 + rows, crop.y1);
     Band band(scene, options, {crop.x0, y0, crop.x1, y1});
     const auto batch =
         static_cast<std::uint32_t>(std::max<std::size_t>(samplesAtOnce / band.traced(), 1));
-    for (std::uint32_t begin = 0; begin < count;) {
-      const std::uint32_t end = begin + std::min(batch, count - begin);
-      dropped += band.trace(begin, end, radianceAt);
+    for (done = 0; done < count && !(options.stop && options.stop());) {
+      const std::uint32_t end = done + std::min(batch, count - done);
+      dropped += band.trace(done, end, radianceAt);
       band.gather();
-      begin = end;
+      done = end;
       if (options.progress) {
         const double inBand = static_cast<double>(end) / count * (y1 - y0);
         options.progress((y0 - crop.y0 + inBand) / (crop.y1 - crop.y0));
       }
     }
+    reached.addRows(y1 - y0, done, count);
     band.write(crop, image);
   }
   return image;

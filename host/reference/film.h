@@ -21,8 +21,9 @@ using RadianceAt = std::function<glm::dvec3(glm::dvec2)>;
 ///
 /// A sample with a component that is NaN, infinite or negative is left out with its weight;
 /// `dropped` becomes the number of those that belong to the pixels shown.
+/// `reached` becomes how far the render came before options.stop ended it.
 /// Throws Error(Usage) if the crop is empty or not inside the film.
 Image renderFilm(const Scene& scene, const RenderOptions& options, const RadianceAt& radianceAt,
-                 std::uint64_t& dropped);
+                 std::uint64_t& dropped, Reached& reached);
 
 }  // namespace laver::reference

@@ -52,12 +52,14 @@ glm::vec2 Reference::samplePosition(int x, int y, std::uint32_t sample) const {
 
 Image Reference::render(const RenderOptions& options) const {
   std::uint64_t dropped = 0;
-  return render(options, dropped);
+  Reached reached;
+  return render(options, dropped, reached);
 }
 
-Image Reference::render(const RenderOptions& options, std::uint64_t& dropped) const {
+Image Reference::render(const RenderOptions& options, std::uint64_t& dropped,
+                        Reached& reached) const {
   return reference::renderFilm(
-      impl_->scene, options, [this](glm::dvec2 film) { return radiance(film); }, dropped);
+      impl_->scene, options, [this](glm::dvec2 film) { return radiance(film); }, dropped, reached);
 }
 
 }  // namespace laver

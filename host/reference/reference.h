@@ -48,8 +48,9 @@ class Reference {
   Image render(const RenderOptions& options = {}) const;
 
   /// The same; `dropped` becomes the number of samples of the pixels shown that were left out,
-  /// because they were NaN, infinite or negative.
-  Image render(const RenderOptions& options, std::uint64_t& dropped) const;
+  /// because they were NaN, infinite or negative, and `reached` how far the render came before
+  /// options.stop ended it.
+  Image render(const RenderOptions& options, std::uint64_t& dropped, Reached& reached) const;
 
  private:
   struct Impl;

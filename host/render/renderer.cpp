@@ -94,13 +94,16 @@ class Render {
     for (int y = core.y0; y < core.y1; y += static_cast<int>(plan_.bandRows)) {
       const Crop band{core.x0, y, core.x1, std::min(core.y1, y + static_cast<int>(plan_.bandRows))};
       onDevice_->film().fillZero();
-      renderBand(band);
+      const std::uint32_t samples = renderBand(band);
+      if (samples == 0) break;
+      stats_.reached.addRows(band.y1 - band.y0, samples, scene_.sampler.sampleCount);
       const Stopwatch watch(stats_.seconds.readBack);
       film.resize(static_cast<std::size_t>(band.x1 - band.x0) *
                   static_cast<std::size_t>(band.y1 - band.y0));
       onDevice_->film().download(std::as_writable_bytes(std::span(film)));
       resolve(film, y - core.y0, image);
       ++stats_.bands;
+      if (samples != scene_.sampler.sampleCount) break;
     }
     stats_.droppedSamples = status_.dropped;
     return image;
@@ -126,7 +129,8 @@ class Render {
     });
   }
 
-  void renderBand(const Crop& band) {
+  /// Returns how many samples a pixel the band got.
+  std::uint32_t renderBand(const Crop& band) {
     shared::Pass pass{};
     pass.region = regionOf(band, data_.constants[shared::SPEC_APRON], scene_.camera.width,
                            scene_.camera.height);
@@ -136,6 +140,7 @@ class Render {
     pass.samples.w = rowStride(rows);
     const std::uint32_t samples = scene_.sampler.sampleCount;
     for (std::uint32_t first = 0; first < samples; first += plan_.samplesAPass) {
+      if (options_.stop && options_.stop()) return first;
       pass.samples.x = first;
       pass.samples.y = std::min(plan_.samplesAPass, samples - first);
       tracePass(pass);
@@ -146,8 +151,10 @@ class Render {
                            groups(pass.core.w, shared::GATHER_GROUP_Y), 1});
       });
       ++stats_.passes;
+      stats_.samples += std::uint64_t{pass.core.z} * pass.core.w * pass.samples.y;
       reportProgress(band, first + pass.samples.y);
     }
+    return samples;
   }
 
   /// Traces the samples of a pass. Where a packet of rays meets more of the scene than one
@@ -252,8 +259,8 @@ Image Renderer::render(const Scene& scene, const RenderOptions& options, Stats& 
                                      data.constants[shared::SPEC_APRON], scene.sampler.sampleCount,
                                      impl_->options.samplesInFlight);
   stats.samplesAPass = plan.samplesAPass;
-  stats.samples = static_cast<std::uint64_t>(core.x1 - core.x0) *
-                  static_cast<std::uint64_t>(core.y1 - core.y0) * scene.sampler.sampleCount;
+  stats.samples = 0;
+  stats.reached = {};
   Image image = Render(device, data, plan, scene, options, stats).run();
   impl_->instance.throwIfInvalid();
   return image;

@@ -32,8 +32,9 @@ class Renderer {
   explicit Renderer(const VulkanOptions& options);
   ~Renderer();
 
-  /// Renders the film or its crop. Throws Error(Device) for a limit, a lost device, or, with
-  /// `validate`, the first message. Fills `stats` but for loading and writing.
+  /// Renders the film or its crop, up to where `options.stop` ends it: stats.reached. Throws
+  /// Error(Device) for a limit, a lost device, or, with `validate`, the first message. Fills
+  /// `stats` but for loading and writing.
   Image render(const Scene& scene, const RenderOptions& options, Stats& stats);
 
  private:

@@ -20,6 +20,7 @@ struct Stats {
   double sahCost = 0;
   std::uint32_t passes = 0, bands = 0, samplesAPass = 0;
   std::uint64_t samples = 0, droppedSamples = 0;
+  Reached reached;
   std::uint64_t peakBytes = 0;  ///< of the process, the driver's memory on a CPU device included
   std::vector<std::string> leftOut;  ///< what the kernels do without, and why
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
 #include <optional>
@@ -16,6 +17,22 @@ struct RenderOptions {
   bool noriCompat = false;   ///< filter weights from Nori's 32-entry table
   unsigned threads = 0;      ///< host threads, 0: all
   std::function<void(double)> progress;  ///< called now and then with the share done, 0 to 1
+  std::function<bool()> stop;            ///< asked before each pass: true ends the render there
+};
+
+/// How far a render came. Rows count from the top of the picture.
+struct Reached {
+  int rows = 0;               ///< rows that hold samples; the pixels below are 0
+  int wholeRows = 0;          ///< rows that hold all samples
+  std::uint32_t samples = 0;  ///< samples a pixel: the fewest of the rows that hold any
+
+  /// The next `count` rows, which hold `has` of `wanted` samples a pixel.
+  void addRows(int count, std::uint32_t has, std::uint32_t wanted) {
+    if (has == 0) return;
+    rows += count;
+    if (has == wanted) wholeRows += count;
+    samples = has;
+  }
 };
 
 }  // namespace laver

@@ -174,7 +174,8 @@ TEST(ReferenceFilm, UnusableSamplesAreDroppedWithTheirWeight) {
     broken.lights.push_back({{5, 0, 1}, glm::dvec3(0, bad * 1e9, 0)});
     const Reference renderer(broken);
     std::uint64_t dropped = 0;
-    const Image image = renderer.render({}, dropped);
+    Reached reached;
+    const Image image = renderer.render({}, dropped, reached);
     std::uint64_t count = 0;
     for (int y = 0; y < 70; ++y) {
       for (int x = 0; x < 70; ++x) {
@@ -190,9 +191,9 @@ TEST(ReferenceFilm, UnusableSamplesAreDroppedWithTheirWeight) {
     RenderOptions cropped;
     cropped.crop = Crop{0, 0, 40, 70};
     std::uint64_t left = 0, right = 0;
-    renderer.render(cropped, left);
+    renderer.render(cropped, left, reached);
     cropped.crop = Crop{40, 0, 70, 70};
-    renderer.render(cropped, right);
+    renderer.render(cropped, right, reached);
     EXPECT_EQ(left + right, dropped);
     for (std::size_t c = 0; c < 3; ++c) {
       EXPECT_EQ(image.at(60, 35, c), 0.0f);
@@ -201,7 +202,8 @@ TEST(ReferenceFilm, UnusableSamplesAreDroppedWithTheirWeight) {
     }
   }
   std::uint64_t dropped = 1;
-  Reference(scene).render({}, dropped);
+  Reached reached;
+  Reference(scene).render({}, dropped, reached);
   EXPECT_EQ(dropped, 0u);
 }
 
