@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstdlib>
@@ -42,6 +43,19 @@ void checkCrop(const std::optional<Crop>& crop, const Camera& camera) {
     throw Error(ExitCode::Usage,
                 fmt::format("--crop {},{},{},{}: expected 0 <= x0 < x1 <= {}, 0 <= y0 < y1 <= {}",
                             crop->x0, crop->y0, crop->x1, crop->y1, camera.width, camera.height));
+}
+
+/// The picture and its files are made in memory; measured at 16384 x 16384: 20 bytes a pixel.
+void checkMemory(const RenderCommand& command, const Camera& camera) {
+  const Crop film = command.options.crop.value_or(Crop{0, 0, camera.width, camera.height});
+  const std::uint64_t needed = 24 * static_cast<std::uint64_t>(film.x1 - film.x0) *
+                               static_cast<std::uint64_t>(film.y1 - film.y0);
+  const std::uint64_t there = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
+                              static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+  if (needed > there)
+    throw Error(ExitCode::Device,
+                fmt::format("a film of {}x{} pixels needs {} MiB of memory, the machine has {}",
+                            film.x1 - film.x0, film.y1 - film.y0, needed >> 20, there >> 20));
 }
 
 /// Checks what it can before a long render, so that nothing is rendered for nothing.
@@ -132,6 +146,7 @@ ExitCode run(const RenderCommand& command) {
   const Scene& scene = loaded.scene;
   for (const auto& warning : loaded.warnings) std::cerr << warning << '\n';
   checkCrop(command.options.crop, scene.camera);
+  checkMemory(command, scene.camera);
   const auto wanted = outputOf(command);
   stats.seconds.load = since(start);
   const char* const nothing = "before the first pass; nothing is written";

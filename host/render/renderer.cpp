@@ -166,7 +166,7 @@ class Render {
       stats_.traversal = "lane";
       stats_.leftOut.emplace_back(
           fmt::format("packets: {} of them met more than {} loop iterations allow",
-                      status_.incomplete, shared::MAX_ITERATIONS));
+                      status_.incomplete / 8, shared::MAX_ITERATIONS));
       compileTrace();
       onDevice_->status().upload(std::as_bytes(std::span(&before, 1)));
       dispatchPass(pass);
