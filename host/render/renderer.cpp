@@ -50,7 +50,7 @@ void resolve(std::span<const shared::FilmPixel> film, int firstRow, Image& image
 
 /// The traversal to run: `wanted`, or the faster one that the device can. Throws Error.
 std::string traversalFor(const Device& device, const std::string& wanted) {
-  const std::string best = bestTraversal(device.info());
+  std::string best = bestTraversal(device.info());
   if (wanted.empty()) return best;
   if (wanted == "packet" && best != "packet")
     throw Error(ExitCode::Device,
