@@ -1,8 +1,7 @@
 #include "commands/interruption.h"
 
-#include <signal.h>
-
 #include <atomic>
+#include <csignal>
 
 namespace laver {
 namespace {

@@ -18,6 +18,7 @@ void memoryBarrier(VkCommandBuffer commands, VkPipelineStageFlags stage, VkAcces
 VkPhysicalDevice choosePhysicalDevice(const Instance& instance, const std::string& wanted) {
   const auto devices = instance.devices();
   std::vector<DeviceInfo> infos;
+  infos.reserve(devices.size());
   for (const VkPhysicalDevice device : devices) infos.push_back(deviceInfo(device));
   return devices[chooseDevice(infos, wanted)];
 }

@@ -21,6 +21,7 @@ class Child {
         void (*interrupt)(int) = SIG_DFL) {
     arguments.insert(arguments.begin(), LAVER_BINARY);
     std::vector<char*> argv;
+    argv.reserve(arguments.size() + 1);
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
     const std::string place = folder.string();

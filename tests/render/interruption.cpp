@@ -165,7 +165,7 @@ RenderOptions stopAfter(int passes) {
 int equalRows(const Image& image, const Image& whole) {
   const auto [here, there] =
       std::mismatch(image.pixels.begin(), image.pixels.end(), whole.pixels.begin());
-  return static_cast<int>((here - image.pixels.begin()) / (3 * image.width));
+  return static_cast<int>((here - image.pixels.begin()) / (std::ptrdiff_t{3} * image.width));
 }
 
 TEST(Stop, LeavesBothRenderersWithTheSamePartOfTheSamples) {
@@ -180,7 +180,7 @@ TEST(Stop, LeavesBothRenderersWithTheSamePartOfTheSamples) {
   EXPECT_EQ(reached.wholeRows, 0);
 
   VulkanOptions vulkan = cpuDevice();
-  vulkan.samplesInFlight = 64 * 64 * 32;
+  vulkan.samplesInFlight = 131072;  // 32 a pixel
   Stats stats;
   const Image image = Renderer(vulkan).render(scene, stopAfter(4), stats);
   EXPECT_EQ(stats.reached.samples, 128U);
@@ -194,7 +194,7 @@ TEST(Stop, LeavesBothRenderersWithTheSamePartOfTheSamples) {
 TEST(Stop, LeavesVulkansBandsWholeOrPartOrBlack) {
   const Scene scene = smallScene("cornell-two-lights.xml", 64, 4);
   VulkanOptions vulkan = cpuDevice();
-  vulkan.samplesInFlight = 64 * 20;  // bands of some rows, one sample a pass
+  vulkan.samplesInFlight = 1280;  // bands of some rows, one sample a pass
   Renderer renderer(vulkan);
   Stats all;
   const Image whole = renderer.render(scene, {}, all);

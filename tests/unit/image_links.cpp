@@ -76,8 +76,7 @@ class Writer {
     if (process_ == 0) {
       AtomicFile target(file);
       target.write(bytesOf("half"));
-      const bool told = write(ends[1], "x", 1) == 1;
-      while (told) pause();
+      if (write(ends[1], "x", 1) == 1) pause();
       _exit(1);
     }
     char c = 0;
