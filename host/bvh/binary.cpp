@@ -1,217 +1,237 @@
 #include "bvh/binary.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <condition_variable>
 #include <mutex>
+#include <vector>
 
+#include "bvh/few.h"
+#include "bvh/split.h"
 #include "core/parallel.h"
 
 namespace laver {
 namespace {
 
-constexpr unsigned kBins = 32;
-/// Ranges above this many items are binned by several threads.
-constexpr std::uint32_t kParallelBinning = 1U << 15;
+/// Pieces of a range that several threads split.
+constexpr std::uint32_t kPiece = 1U << 13;
 
-/// Items [first, first + count) to be split below node `node`.
-struct Range {
-  std::uint32_t node, first, count;
+struct Range : Subtree {
   unsigned depth;
-};
-
-struct Bin {
-  Box box;
-  std::uint32_t count = 0;
-};
-using Bins = std::array<std::array<Bin, kBins>, 3>;
-
-/// Twice the centroid, which keeps it exact enough and saves a product.
-glm::vec3 centroid(const Box& box) { return box.lo + box.hi; }
-
-/// Maps centroids to bins; an axis without extent has scale 0 and is not split.
-struct Binning {
-  glm::vec3 lo{0.0F}, scale{0.0F};
-
-  explicit Binning(const Box& centroids) : lo(centroids.lo) {
-    for (int a = 0; a < 3; ++a) {
-      const float extent = centroids.hi[a] - centroids.lo[a];
-      // Just below kBins, so that the last centroid falls into the last bin.
-      if (extent > 1e-30F) scale[a] = static_cast<float>(kBins) * 0.99999F / extent;
-    }
-  }
-  unsigned bin(glm::vec3 c, int axis) const {
-    return std::min(static_cast<unsigned>((c[axis] - lo[axis]) * scale[axis]), kBins - 1);
-  }
-};
-
-struct Split {
-  int axis = -1;
-  unsigned bin = 0;  ///< items of bins <= bin go left
+  unsigned buffer;  ///< which of the two buffers holds the items
 };
 
 class Builder {
  public:
-  Builder(std::vector<BuildItem>& items, unsigned threads) : items_(items), threads_(threads) {
-    nodes_.resize(2 * items.size() - 1);
+  Builder(UninitialisedVector<BuildItem> items, unsigned threads) : threads_(threads) {
+    tree_.items = std::move(items);
+    tree_.nodes.resize(tree_.items.size() - 1);
+    other_.resize(tree_.items.size());
   }
 
-  std::vector<BinaryNode> build() {
-    // Large ranges one after the other, each binned by all threads, then small ones side by side.
-    const auto total = static_cast<std::uint32_t>(items_.size());
-    const std::uint32_t small = std::max(total / (8 * threadCount(threads_)), 1024U);
-    std::vector<Range> large{{0, 0, total, 0}}, rest;
-    while (!large.empty()) {
-      const Range range = large.back();
-      large.pop_back();
-      if (range.count <= small) {
-        rest.push_back(range);
-        continue;
-      }
-      const auto [left, right] = split(range, true);
-      large.push_back(right);
-      large.push_back(left);
-    }
-    parallelFor(rest.size(), 1, threads_, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) buildBelow(rest[i]);
-    });
-    return std::move(nodes_);
+  BinaryTree build() {
+    splitLarge();
+    parallelFor(threadCount(threads_), 1, threads_, [this](std::size_t, std::size_t) { work(); });
+    std::sort(done_.begin(), done_.end(),
+              [](const Done& a, const Done& b) { return a.first < b.first; });
+    auto next = done_.cbegin();
+    top(tree_.root(), next);
+    return std::move(tree_);
   }
 
  private:
-  void buildBelow(const Range& root) {
-    std::vector<Range> open{root};
-    while (!open.empty()) {
-      const Range range = open.back();
-      open.pop_back();
-      if (range.count == 1) {
-        nodes_[range.node] = {items_[range.first].box, range.first, 1, 0};
+  struct Done {
+    std::uint32_t first;
+    Forest forest;
+  };
+
+  BuildItem* itemsOf(const Range& r) {
+    return (r.buffer == 0 ? tree_.items : other_).data() + r.first;
+  }
+  BuildItem* spareOf(const Range& r) {
+    return (r.buffer == 0 ? other_ : tree_.items).data() + r.first;
+  }
+
+  /// Ranges beyond a thread's share, one after the other, each by all threads.
+  void splitLarge() {
+    const std::uint32_t total = tree_.root().count;
+    const std::uint32_t large = std::max(total / threadCount(threads_), 2 * kPiece);
+    open_.push_back({tree_.root(), 0, 0});
+    for (std::size_t i = 0; i < open_.size();) {
+      if (threadCount(threads_) == 1 || open_[i].count <= large) {
+        ++i;
         continue;
       }
-      const auto [left, right] = split(range, false);
-      open.push_back(right);
-      open.push_back(left);
+      const auto [left, right] = splitTogether(open_[i]);
+      open_[i] = left;
+      open_.push_back(right);
     }
   }
 
-  /// Writes the node of a range of two or more items and divides the items.
-  std::pair<Range, Range> split(const Range& range, bool parallel) {
-    Box box, centroids;
-    forChunks(range, parallel, [&](std::uint32_t begin, std::uint32_t end, std::mutex& mutex) {
-      Box b, c;
-      for (std::uint32_t i = begin; i < end; ++i) {
-        b.grow(items_[i].box);
-        c.grow(centroid(items_[i].box));
+  /// Takes open ranges until none is left and no thread may open another.
+  void work() {
+    for (;;) {
+      std::unique_lock lock(mutex_);
+      changed_.wait(lock, [this] { return !open_.empty() || busy_ == 0; });
+      if (open_.empty()) return;
+      const Range range = open_.back();
+      open_.pop_back();
+      ++busy_;
+      lock.unlock();
+      try {
+        buildTask(range);
+      } catch (...) {
+        finish();
+        throw;
       }
-      const std::lock_guard lock(mutex);
-      box.grow(b);
-      centroids.grow(c);
-    });
-
-    const auto begin = items_.begin() + range.first;
-    const auto end = begin + range.count;
-    auto middle = begin + range.count / 2;
-    const Binning binning(centroids);
-    const Split best = range.depth < kSahDepth ? cheapestSplit(range, binning, parallel) : Split{};
-    if (best.axis >= 0) {
-      middle = std::partition(begin, end, [&](const BuildItem& item) {
-        return binning.bin(centroid(item.box), best.axis) <= best.bin;
-      });
-    } else {
-      const glm::vec3 extent = centroids.hi - centroids.lo;
-      const int axis =
-          extent.x >= extent.y ? (extent.x >= extent.z ? 0 : 2) : (extent.y >= extent.z ? 1 : 2);
-      std::nth_element(begin, middle, end, [axis](const BuildItem& a, const BuildItem& b) {
-        const float ca = centroid(a.box)[axis], cb = centroid(b.box)[axis];
-        return ca < cb || (ca == cb && a.id < b.id);
-      });
+      finish();
     }
-
-    const auto leftCount = static_cast<std::uint32_t>(middle - begin);
-    // A subtree of n items takes 2 n - 1 nodes, so its place is known before it is built.
-    const Range left{range.node + 1, range.first, leftCount, range.depth + 1};
-    const Range right{range.node + 2 * leftCount, range.first + leftCount, range.count - leftCount,
-                      range.depth + 1};
-    nodes_[range.node] = {box, range.first, range.count, right.node};
-    return {left, right};
   }
 
-  Split cheapestSplit(const Range& range, const Binning& binning, bool parallel) {
-    Bins bins;
-    forChunks(range, parallel, [&](std::uint32_t begin, std::uint32_t end, std::mutex& mutex) {
-      Bins own;
-      for (std::uint32_t i = begin; i < end; ++i) {
-        const Box& box = items_[i].box;
-        const glm::vec3 c = centroid(box);
-        for (int a = 0; a < 3; ++a) {
-          if (binning.scale[a] <= 0.0F) continue;
-          Bin& bin = own[static_cast<std::size_t>(a)][binning.bin(c, a)];
-          bin.box.grow(box);
-          ++bin.count;
-        }
-      }
-      const std::lock_guard lock(mutex);
-      for (std::size_t a = 0; a < 3; ++a)
-        for (std::size_t i = 0; i < kBins; ++i) {
-          bins[a][i].box.grow(own[a][i].box);
-          bins[a][i].count += own[a][i].count;
-        }
-    });
+  void finish() {
+    const std::lock_guard lock(mutex_);
+    if (--busy_ == 0) changed_.notify_all();
+  }
 
+  /// Splits a range to the size of a task, opening what is right of it, and builds that.
+  void buildTask(Range range) {
+    while (range.count > kTaskItems) {
+      const auto [left, right] = split(range);
+      range = left;
+      const std::lock_guard lock(mutex_);
+      open_.push_back(right);
+      changed_.notify_one();
+    }
+    const Forest forest = subtree(range);
+    const std::lock_guard lock(mutex_);
+    done_.push_back({range.first, forest});
+  }
+
+  Forest subtree(const Range& range) {
+    if (range.count <= kFew && range.depth < kSahDepth)
+      return buildFew(itemsOf(range), range, tree_);
+    if (range.count == 1) {
+      tree_.items[range.first] = *itemsOf(range);
+      return oneItem(tree_.items[range.first].box.halfArea());
+    }
+    const auto [left, right] = split(range);
+    const Forest l = subtree(left), r = subtree(right);
+    BinaryNode& node = tree_.nodes[range.node];
+    return joined(l, left.count, r, right.count, node.box().halfArea(), node.choices);
+  }
+
+  /// The collapse above the tasks.
+  Forest top(const Subtree& s, std::vector<Done>::const_iterator& next) {
+    if (s.count <= kTaskItems) return (next++)->forest;
+    const Subtree left = tree_.left(s), right = tree_.right(s);
+    const Forest l = top(left, next), r = top(right, next);
+    BinaryNode& node = tree_.nodes[s.node];
+    return joined(l, left.count, r, right.count, node.box().halfArea(), node.choices);
+  }
+
+  std::pair<Range, Range> split(const Range& range) {
+    const BuildItem* items = itemsOf(range);
+    const Bounds bounds = boundsOf(items, range.count);
+    const Binning binning(bounds.centroids, range.count);
     Split best;
-    float bestCost = std::numeric_limits<float>::infinity();
-    for (std::size_t a = 0; a < 3; ++a) {
-      if (binning.scale[static_cast<int>(a)] <= 0.0F) continue;
-      std::array<float, kBins> rightCost{};
-      Box box;
-      std::uint32_t count = 0;
-      for (std::size_t i = kBins - 1; i > 0; --i) {
-        box.grow(bins[a][i].box);
-        count += bins[a][i].count;
-        rightCost[i] = count == 0 ? -1.0F : box.halfArea() * static_cast<float>(count);
-      }
-      box = {};
-      count = 0;
-      for (std::size_t i = 0; i + 1 < kBins; ++i) {
-        box.grow(bins[a][i].box);
-        count += bins[a][i].count;
-        if (count == 0 || rightCost[i + 1] < 0.0F) continue;
-        const float cost = box.halfArea() * static_cast<float>(count) + rightCost[i + 1];
-        if (cost < bestCost) {
-          bestCost = cost;
-          best = {static_cast<int>(a), static_cast<unsigned>(i)};
-        }
-      }
+    if (range.depth < kSahDepth) {
+      Bins bins(binning.bins());
+      bins.add(binning, items, range.count);
+      best = bins.cheapest(binning);
     }
-    return best;
+    if (best.axis < 0) return halve(range, bounds);
+    BuildItem* out = spareOf(range);
+    place(items, range.count, binning, best, out, 0, best.leftCount);
+    return divided(range, bounds, best.leftCount, range.buffer ^ 1U);
   }
 
-  /// Calls f(begin, end, mutex) for pieces of the range; minima, maxima and counts do not depend on
-  /// the order of the pieces.
-  template <class F>
-  void forChunks(const Range& range, bool parallel, const F& f) {
-    std::mutex mutex;
-    if (!parallel || range.count < kParallelBinning) {
-      f(range.first, range.first + range.count, mutex);
-      return;
+  std::pair<Range, Range> splitTogether(const Range& range) {
+    const BuildItem* items = itemsOf(range);
+    const std::size_t pieces = (range.count + kPiece - 1) / kPiece;
+    const auto forPieces = [&](const auto& f) {
+      parallelFor(range.count, kPiece, threads_, [&](std::size_t begin, std::size_t end) {
+        f(begin / kPiece, items + begin, static_cast<std::uint32_t>(end - begin));
+      });
+    };
+    std::vector<Bounds> boundsOfPiece(pieces);
+    forPieces([&](std::size_t piece, const BuildItem* from, std::uint32_t count) {
+      boundsOfPiece[piece] = boundsOf(from, count);
+    });
+    Bounds bounds;
+    for (const Bounds& b : boundsOfPiece) {
+      bounds.box.grow(b.box);
+      bounds.centroids.grow(b.centroids);
     }
-    parallelFor(range.count, kParallelBinning / 2, threads_,
-                [&](std::size_t begin, std::size_t end) {
-                  f(range.first + static_cast<std::uint32_t>(begin),
-                    range.first + static_cast<std::uint32_t>(end), mutex);
-                });
+    const Binning binning(bounds.centroids, range.count);
+    std::vector<Bins> binsOf(pieces, Bins(binning.bins()));
+    forPieces([&](std::size_t piece, const BuildItem* from, std::uint32_t count) {
+      binsOf[piece].add(binning, from, count);
+    });
+    Bins bins(binning.bins());
+    for (const Bins& b : binsOf) bins.add(b);
+    const Split best = bins.cheapest(binning);
+    if (best.axis < 0) return halve(range, bounds);
+    // Where each piece's left and right items go, so that their order stays.
+    std::vector<std::uint32_t> leftBefore(pieces + 1, 0);
+    for (std::size_t i = 0; i < pieces; ++i)
+      leftBefore[i + 1] = leftBefore[i] + binsOf[i].upTo(best);
+    BuildItem* out = spareOf(range);
+    forPieces([&](std::size_t piece, const BuildItem* from, std::uint32_t count) {
+      const std::uint32_t left = leftBefore[piece];
+      const auto before = static_cast<std::uint32_t>(piece) * kPiece;
+      place(from, count, binning, best, out, left, best.leftCount + before - left);
+    });
+    return divided(range, bounds, best.leftCount, range.buffer ^ 1U);
   }
 
-  std::vector<BuildItem>& items_;
+  static void place(const BuildItem* items, std::uint32_t count, const Binning& binning,
+                    const Split& split, BuildItem* out, std::uint32_t left, std::uint32_t right) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      // No branch: which side it is cannot be foretold.
+      const std::uint32_t beyond = binning.beyond(items[i], split.axis, split.bin) ? 1 : 0;
+      out[left ^ ((left ^ right) & (0U - beyond))] = items[i];
+      right += beyond;
+      left += 1 - beyond;
+    }
+  }
+
+  std::pair<Range, Range> halve(const Range& range, const Bounds& bounds) {
+    const Float4 extent = bounds.centroids.hi - bounds.centroids.lo;
+    const int axis = extent[0] >= extent[1] ? (extent[0] >= extent[2] ? 0 : 2)
+                                            : (extent[1] >= extent[2] ? 1 : 2);
+    BuildItem* items = itemsOf(range);
+    const std::uint32_t half = range.count / 2;
+    std::nth_element(items, items + half, items + range.count,
+                     [axis](const BuildItem& a, const BuildItem& b) {
+                       const float ca = a.box.lo[axis] + a.box.hi[axis];
+                       const float cb = b.box.lo[axis] + b.box.hi[axis];
+                       return ca < cb || (ca == cb && a.id() < b.id());
+                     });
+    return divided(range, bounds, half, range.buffer);
+  }
+
+  std::pair<Range, Range> divided(const Range& range, const Bounds& bounds, std::uint32_t leftCount,
+                                  unsigned buffer) {
+    BinaryNode& node = tree_.nodes[range.node];
+    node = std::bit_cast<BinaryNode>(bounds.box);
+    node.leftCount = leftCount;
+    return {{range.left(leftCount), range.depth + 1, buffer},
+            {range.right(leftCount), range.depth + 1, buffer}};
+  }
+
   unsigned threads_;
-  std::vector<BinaryNode> nodes_;
+  BinaryTree tree_;
+  UninitialisedVector<BuildItem> other_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<Range> open_;
+  std::vector<Done> done_;
+  unsigned busy_ = 0;
 };
 
 }  // namespace
 
-std::vector<BinaryNode> buildBinary(std::vector<BuildItem>& items, unsigned threads) {
-  if (items.empty()) return {};
-  return Builder(items, threads).build();
+BinaryTree buildBinary(UninitialisedVector<BuildItem> items, unsigned threads) {
+  return Builder(std::move(items), threads).build();
 }
 
 }  // namespace laver

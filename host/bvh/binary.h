@@ -1,32 +1,53 @@
 #pragma once
+#include <bit>
 #include <cstdint>
-#include <vector>
 
-#include "bvh/box.h"
+#include "bvh/items.h"
+#include "bvh/wide.h"
+#include "core/uninitialised.h"
 
 namespace laver {
 
-/// A primitive to sort into a tree.
-struct BuildItem {
-  Box box;
-  std::uint32_t id;
+/// Node of a binary tree for two or more items.
+struct alignas(16) BinaryNode {
+  glm::vec3 lo;
+  std::uint32_t leftCount;  ///< items of the left child
+  glm::vec3 hi;
+  Choices choices;  ///< of the collapse into wide nodes
+  Box4 box() const { return std::bit_cast<Box4>(*this); }
 };
 
-/// Node of a full binary tree over items [first, first + count); a leaf holds one item. Node 0 is
-/// the root; the left child follows its parent.
-struct BinaryNode {
-  Box box;
-  std::uint32_t first, count;
-  std::uint32_t right;  ///< index of the right child
-  std::uint32_t left(std::uint32_t self) const { return self + 1; }
+/// Items [first, first + count) of a tree; for two or more, `node` is theirs.
+struct Subtree {
+  std::uint32_t node, first, count;
+
+  // A subtree of n items takes n - 1 nodes, the left child's first.
+  Subtree left(std::uint32_t leftCount) const { return {node + 1, first, leftCount}; }
+  Subtree right(std::uint32_t leftCount) const {
+    return {node + leftCount, first + leftCount, count - leftCount};
+  }
 };
 
-/// Builds by binned SAH (Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies",
-/// 2007) down to single items, which it reorders: 2 n - 1 nodes. Below a depth that no ordinary
-/// mesh reaches, items are halved by count, which bounds the depth by kSahDepth + log2(n). The
-/// tree is the same for any number of threads (0: all).
-std::vector<BinaryNode> buildBinary(std::vector<BuildItem>& items, unsigned threads);
+struct BinaryTree {
+  UninitialisedVector<BinaryNode> nodes;
+  UninitialisedVector<BuildItem> items;  ///< in the order of the tree
 
+  Subtree root() const { return {0, 0, static_cast<std::uint32_t>(items.size())}; }
+  Subtree left(const Subtree& s) const { return s.left(nodes[s.node].leftCount); }
+  Subtree right(const Subtree& s) const { return s.right(nodes[s.node].leftCount); }
+  Box4 box(const Subtree& s) const {
+    return s.count == 1 ? items[s.first].box : nodes[s.node].box();
+  }
+};
+
+/// Subtrees of at most this many items are built by one thread.
+inline constexpr std::uint32_t kTaskItems = 4096;
+/// Depth from which on items are halved by count.
 inline constexpr unsigned kSahDepth = 48;
+
+/// Builds by binned SAH down to single items. Below a depth that no ordinary mesh reaches, items
+/// are halved by count, which bounds the depth by kSahDepth + log2(n). The tree is the same for any
+/// number of threads (0: all).
+BinaryTree buildBinary(UninitialisedVector<BuildItem> items, unsigned threads);
 
 }  // namespace laver

@@ -1,21 +1,20 @@
 #pragma once
 #include <cstdint>
 #include <span>
-#include <vector>
 
-#include "bvh/box.h"
+#include "core/uninitialised.h"
 #include "shared/layout.h"
 
 namespace laver {
 
 /// A triangle mesh's tree in the layout of shaders/shared/layout.h.
 struct Bvh {
-  std::vector<shared::Node> nodes;
-  std::vector<shared::Triangle> triangles;  ///< in the order of the leaves
-  std::uint32_t root = shared::REF_NONE;    ///< REF_NONE for no triangles
-  std::uint32_t depth = 0;                  ///< nodes on the longest path
-  std::uint32_t stack = 1;                  ///< entries that a traversal can need at most
-  double sahCost = 0;                       ///< with kNodeCost and kTriangleCost (wide.h)
+  UninitialisedVector<shared::Node> nodes;
+  UninitialisedVector<shared::Triangle> triangles;  ///< in the order of the leaves
+  std::uint32_t root = shared::REF_NONE;            ///< REF_NONE for no triangles
+  std::uint32_t depth = 0;                          ///< nodes on the longest path
+  std::uint32_t stack = 1;                          ///< entries that a traversal can need at most
+  double sahCost = 0;                               ///< with kNodeCost and kTriangleCost (wide.h)
   std::uint32_t leaves = 0;
 };
 

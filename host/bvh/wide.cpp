@@ -1,97 +1,71 @@
 #include "bvh/wide.h"
 
-#include <array>
+#include <algorithm>
 #include <limits>
+
+#include "bvh/box4.h"
 
 namespace laver {
 namespace {
 
-constexpr unsigned kMaxWidth = 8;
-
-/// Least cost of a subtree as a forest of at most i + 1 trees, and how it is reached.
-struct Choice {
-  std::array<float, kMaxWidth> cost;
-  /// For i > 0: trees given to the left child, or 0 for the forest of one tree fewer. For i = 0:
-  /// trees that the left child gets below a node of its own, or 0 for a leaf.
-  std::array<std::uint8_t, kMaxWidth> left;
-};
-
-std::vector<Choice> choose(const std::vector<BinaryNode>& nodes, unsigned width, unsigned maxLeaf) {
-  std::vector<Choice> choices(nodes.size());
-  for (std::size_t n = nodes.size(); n-- > 0;) {
-    const BinaryNode& node = nodes[n];
-    Choice& choice = choices[n];
-    const float area = node.box.halfArea();
-    const float leafCost = node.count <= maxLeaf
-                               ? area * static_cast<float>(node.count) * kTriangleCost
-                               : std::numeric_limits<float>::infinity();
-    if (node.count == 1) {
-      choice.cost.fill(leafCost);
-      choice.left.fill(0);
-      continue;
-    }
-    const Choice& l = choices[node.left(static_cast<std::uint32_t>(n))];
-    const Choice& r = choices[node.right];
-    // Best way to divide `trees` between the children.
-    const auto divide = [&](unsigned trees, std::uint8_t& left) {
-      float best = std::numeric_limits<float>::infinity();
-      for (unsigned k = 1; k < trees; ++k) {
-        const float cost = l.cost[k - 1] + r.cost[trees - k - 1];
-        if (cost < best) {
-          best = cost;
-          left = static_cast<std::uint8_t>(k);
-        }
-      }
-      return best;
-    };
-    std::uint8_t left = 1;
-    const float inner = divide(width, left) + area * kNodeCost;
-    choice.cost[0] = inner < leafCost ? inner : leafCost;
-    choice.left[0] = inner < leafCost ? left : std::uint8_t{0};
-    for (unsigned trees = 2; trees <= width; ++trees) {
-      const float cost = divide(trees, left);
-      const bool fewer = choice.cost[trees - 2] <= cost;
-      choice.cost[trees - 1] = fewer ? choice.cost[trees - 2] : cost;
-      choice.left[trees - 1] = fewer ? std::uint8_t{0} : left;
-    }
-  }
-  return choices;
-}
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 }  // namespace
 
-std::vector<WideNode> collapse(const std::vector<BinaryNode>& nodes, unsigned width,
-                               unsigned maxLeaf) {
-  if (nodes.empty()) return {};
-  const auto choices = choose(nodes, width, maxLeaf);
-  if (choices[0].left[0] == 0) return {};
+Forest oneItem(float area) {
+  Forest forest;
+  forest.cost.fill(area * kTriangleCost);
+  return forest;
+}
 
-  std::vector<WideNode> wide;
-  std::vector<std::uint32_t> open{0};
-  std::vector<std::pair<std::uint32_t, unsigned>> forest;
-  while (!open.empty()) {
-    const std::uint32_t self = open.back();
-    open.pop_back();
-    WideNode node{self, {}};
-    const unsigned left = choices[self].left[0];
-    forest = {{nodes[self].right, width - left}, {nodes[self].left(self), left}};
-    while (!forest.empty()) {
-      auto [n, trees] = forest.back();
-      forest.pop_back();
-      while (trees > 1 && choices[n].left[trees - 1] == 0) --trees;
-      if (trees == 1) {
-        node.children.push_back({n, choices[n].left[0] == 0});
-        continue;
-      }
-      const unsigned k = choices[n].left[trees - 1];
-      forest.emplace_back(nodes[n].right, trees - k);
-      forest.emplace_back(nodes[n].left(n), k);
-    }
-    for (std::size_t c = node.children.size(); c-- > 0;)
-      if (!node.children[c].leaf) open.push_back(node.children[c].binary);
-    wide.push_back(std::move(node));
+Forest twoItems(float area, float left, float right, Choices& choices) {
+  const float apart = left * kTriangleCost + right * kTriangleCost;
+  const float leaf = area * 2.0F * kTriangleCost, inner = apart + area * kNodeCost;
+  Forest forest;
+  forest.cost.fill(std::min({leaf, inner, apart}));
+  forest.cost[0] = std::min(leaf, inner);
+  choices.nibbles = (inner < leaf ? 1U : 0U) | (apart < forest.cost[0] ? 1U << 4 : 0U);
+  return forest;
+}
+
+Forest joined(const Forest& left, std::uint32_t leftCount, const Forest& right,
+              std::uint32_t rightCount, float area, Choices& choices) {
+  static_assert(shared::NODE_WIDTH == 8);
+  // Lane t - 1 of (low, high): the least cost of t trees, of which the left child gets k.
+  Float4 low = splat(kInfinity), high = low;
+  Int4 lowLeft{1, 1, 1, 1}, highLeft = lowLeft;
+  const auto& r = right.cost;
+  Float4 rightLow{r[0], r[1], r[2], r[3]}, rightHigh{r[4], r[5], r[6], r[7]};
+  const unsigned most = std::min(leftCount, shared::NODE_WIDTH - 1);
+  for (unsigned k = 1; k <= most; ++k) {
+    rightHigh = __builtin_shufflevector(rightHigh, rightLow, 7, 0, 1, 2);
+    rightLow = __builtin_shufflevector(rightLow, splat(kInfinity), 4, 0, 1, 2);
+    const Float4 leftCost = splat(left.cost[k - 1]);
+    const Float4 a = leftCost + rightLow, b = leftCost + rightHigh;
+    const auto kLanes = static_cast<std::int32_t>(k);
+    const Int4 trees{kLanes, kLanes, kLanes, kLanes};
+    lowLeft = a < low ? trees : lowLeft;
+    highLeft = b < high ? trees : highLeft;
+    low = min(a, low);
+    high = min(b, high);
   }
-  return wide;
+  const std::uint32_t count = leftCount + rightCount;
+  const float leaf =
+      count <= shared::MAX_LEAF ? area * static_cast<float>(count) * kTriangleCost : kInfinity;
+  const float inner = high[3] + area * kNodeCost;
+  Forest forest;
+  forest.cost[0] = std::min(inner, leaf);
+  std::uint32_t nibbles =
+      inner < leaf || count > shared::MAX_LEAF ? static_cast<std::uint32_t>(highLeft[3]) : 0;
+  for (unsigned i = 1; i < shared::NODE_WIDTH; ++i) {
+    const float cost = i < 4 ? low[i] : high[i - 4];
+    const auto k = static_cast<std::uint32_t>(i < 4 ? lowLeft[i] : highLeft[i - 4]);
+    const bool fewer = forest.cost[i - 1] <= cost;
+    forest.cost[i] = fewer ? forest.cost[i - 1] : cost;
+    nibbles |= (fewer ? 0U : k) << 4 * i;
+  }
+  choices.nibbles = nibbles;
+  return forest;
 }
 
 }  // namespace laver

@@ -1,8 +1,8 @@
 #pragma once
+#include <array>
 #include <cstdint>
-#include <vector>
 
-#include "bvh/binary.h"
+#include "shared/layout.h"
 
 namespace laver {
 
@@ -10,21 +10,28 @@ namespace laver {
 inline constexpr float kNodeCost = 1.0F;
 inline constexpr float kTriangleCost = 0.3F;
 
-/// A node of up to eight children, each an index of a binary node: itself a wide node, or a leaf.
-struct WideChild {
-  std::uint32_t binary;
-  bool leaf;
-};
-struct WideNode {
-  std::uint32_t binary;
-  std::vector<WideChild> children;
+/// Least costs of a binary subtree collapsed into at most 1, 2 ... 8 wide trees (Ylitie, Karras and
+/// Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", HPG 2017,
+/// section 3.1).
+struct Forest {
+  std::array<float, shared::NODE_WIDTH> cost;
 };
 
-/// Collapses a binary tree into nodes of at most `width` children and leaves of at most `maxLeaf`
-/// items with the least SAH cost, by dynamic programming (Ylitie, Karras and Laine, "Efficient
-/// Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", HPG 2017, section 3.1). Node 0
-/// is the root, children follow their parents depth first. Empty if the root is best a leaf.
-std::vector<WideNode> collapse(const std::vector<BinaryNode>& nodes, unsigned width,
-                               unsigned maxLeaf);
+/// How a subtree's least costs are reached, in nibbles. Nibble i > 0: of i + 1 trees those of the
+/// left child, or 0 where one tree fewer costs no more. Nibble 0: trees that the left child gets
+/// below a wide node here, or 0 where the whole subtree is best one leaf.
+struct Choices {
+  std::uint32_t nibbles;
+  unsigned left(unsigned trees) const { return nibbles >> 4 * (trees - 1) & 15U; }
+};
+
+Forest oneItem(float area);
+
+/// Two items of the given half areas below a box of half area `area`.
+Forest twoItems(float area, float left, float right, Choices& choices);
+
+/// Two subtrees of `leftCount` and `rightCount` items below a box of half area `area`.
+Forest joined(const Forest& left, std::uint32_t leftCount, const Forest& right,
+              std::uint32_t rightCount, float area, Choices& choices);
 
 }  // namespace laver

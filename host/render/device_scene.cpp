@@ -66,9 +66,9 @@ void DeviceScene::bindTexels(std::uint32_t binding, const Buffer& buffer, VkForm
   bindings_.bind(binding, views_.back().get());
 }
 
-template <class T>
+template <class T, class A>
 void DeviceScene::uploadTexels(std::uint32_t binding, const char* what,
-                               const std::vector<T>& data) {
+                               const std::vector<T, A>& data) {
   static_assert(sizeof(T) % 16 == 0);
   // A kernel that does not read the binding still needs something bound there.
   const VkDeviceSize bytes = std::max<VkDeviceSize>(data.size() * sizeof(T), 3 * 16);

@@ -19,8 +19,8 @@ class DeviceScene {
 
  private:
   void bindTexels(std::uint32_t binding, const Buffer& buffer, VkFormat format);
-  template <class T>
-  void uploadTexels(std::uint32_t binding, const char* what, const std::vector<T>& data);
+  template <class T, class A>
+  void uploadTexels(std::uint32_t binding, const char* what, const std::vector<T, A>& data);
 
   const Device& device_;
   Bindings bindings_;

@@ -1,0 +1,50 @@
+#include "bvh/slots.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace laver {
+
+using shared::NODE_WIDTH;
+
+std::array<unsigned, NODE_WIDTH> assignSlots(const Box4& box, std::span<const Box4> children) {
+  static_assert(NODE_WIDTH == 8);
+  constexpr float kTaken = -std::numeric_limits<float>::infinity();
+  // A pair's number, 8 child + slot, in the low bits of its score makes the best pair a maximum.
+  constexpr std::int32_t kNumber = 63;
+  const Float4 centre = box.lo + box.hi;
+  std::array<Float4, NODE_WIDTH> low, high;  // scores of slots 0 to 3 and 4 to 7
+  for (std::size_t c = 0; c < children.size(); ++c) {
+    // Finite, so that each child gets a slot even where sums overflow.
+    const Float4 o =
+        max(min((children[c].lo + children[c].hi) - centre, splat(1e30F)), splat(-1e30F));
+    const Float4 xy = Float4{-o[0], o[0], -o[0], o[0]} + Float4{-o[1], -o[1], o[1], o[1]};
+    const Int4 number = Int4{0, 1, 2, 3} + static_cast<std::int32_t>(8 * c);
+    const auto numbered = [number](Float4 score, std::int32_t first) {
+      return std::bit_cast<Float4>((std::bit_cast<Int4>(score) & ~kNumber) | (number + first));
+    };
+    low[c] = numbered(xy - o[2], 0);
+    high[c] = numbered(xy + o[2], 4);
+  }
+  std::array<unsigned, NODE_WIDTH> slotOf{};
+  Int4 freeLow = {-1, -1, -1, -1}, freeHigh = freeLow;
+  for (std::size_t round = 0; round < children.size(); ++round) {
+    Float4 mostLow = splat(kTaken), mostHigh = mostLow;
+    for (std::size_t c = 0; c < children.size(); ++c) {
+      mostLow = max(low[c], mostLow);
+      mostHigh = max(high[c], mostHigh);
+    }
+    const Float4 most = max(freeLow ? mostLow : kTaken, freeHigh ? mostHigh : kTaken);
+    const float best = std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
+    const auto number = static_cast<unsigned>(std::bit_cast<std::int32_t>(best) & kNumber);
+    const unsigned child = number / 8, slot = number % 8;
+    slotOf[child] = slot;
+    low[child] = high[child] = splat(kTaken);
+    const auto taken = static_cast<std::int32_t>(slot);
+    freeLow &= Int4{0, 1, 2, 3} != taken;
+    freeHigh &= Int4{4, 5, 6, 7} != taken;
+  }
+  return slotOf;
+}
+
+}  // namespace laver
