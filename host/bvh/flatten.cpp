@@ -163,6 +163,7 @@ class Flattener {
   template <class F>
   void write(const Place& place, std::uint32_t& next, Totals& totals, const F& elsewhere) {
     const Children children = childrenOf(place.tree);
+    prefetchTriangles(children);
     const Box4 box = tree_.box(place.tree);
     std::array<Box4, NODE_WIDTH> boxes;
     for (unsigned c = 0; c < children.count; ++c) boxes[c] = tree_.box(children.tree[c]);
@@ -186,6 +187,13 @@ class Flattener {
         if (!elsewhere(inner)) write(inner, next, totals, elsewhere);
       }
     }
+  }
+
+  /// Lets the gather of triangles, all over memory, run beside the work on a node.
+  void prefetchTriangles(const Children& children) const {
+    for (unsigned c = 0; c < children.count; ++c)
+      for (std::uint32_t i = 0; children.leaf[c] && i < children.tree[c].count; ++i)
+        __builtin_prefetch(&triangles_[tree_.items[children.tree[c].first + i].id()]);
   }
 
   Totals leaf(const Subtree& s) {
