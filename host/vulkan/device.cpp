@@ -75,6 +75,7 @@ VkMemoryPropertyFlags Device::memoryFlags(std::uint32_t type) const {
 }
 
 void Device::run(const std::function<void(VkCommandBuffer)>& record) const {
+  const std::lock_guard lock(running_);
   VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
   begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
   check(vkBeginCommandBuffer(commands_, &begin), "vkBeginCommandBuffer");

@@ -2,6 +2,7 @@
 #include <volk.h>
 
 #include <functional>
+#include <mutex>
 #include <string>
 
 #include "vulkan/device_info.h"
@@ -32,7 +33,7 @@ class Device {
   int memoryType(std::uint32_t bits, VkMemoryPropertyFlags flags) const;
   VkMemoryPropertyFlags memoryFlags(std::uint32_t type) const;
 
-  /// Records commands, submits them and waits for their end. Not for two threads at once.
+  /// Records commands, submits them and waits for their end. Threads take turns.
   void run(const std::function<void(VkCommandBuffer)>& record) const;
 
   /// Throws Error(Device) naming the limit, what was asked and what the device has.
@@ -45,6 +46,7 @@ class Device {
   Handle<VkCommandPool> pool_;
   Handle<VkFence> fence_;
   VkCommandBuffer commands_ = VK_NULL_HANDLE;
+  mutable std::mutex running_;
 };
 
 }  // namespace laver
