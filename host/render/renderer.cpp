@@ -10,6 +10,7 @@
 #include "render/device_scene.h"
 #include "render/kernels.h"
 #include "render/plan.h"
+#include "render/resolve.h"
 #include "render/stopwatch.h"
 #include "render/vulkan_start.h"
 
@@ -24,18 +25,6 @@ std::uint32_t rowStride(std::uint32_t rows) {
 }
 
 std::uint32_t groups(std::uint32_t count, std::uint32_t size) { return (count + size - 1) / size; }
-
-/// The picture's part of a band, from its sums: rgb / weight, 0 where no weight fell.
-void resolve(std::span<const shared::FilmPixel> film, int firstRow, Image& image) {
-  for (std::size_t i = 0; i < film.size(); ++i) {
-    const glm::dvec4 total = glm::dvec4(film[i].sum) + glm::dvec4(film[i].rest);
-    const glm::dvec3 rgb = total.w == 0.0 ? glm::dvec3(0.0) : glm::dvec3(total) / total.w;
-    const std::size_t at =
-        (static_cast<std::size_t>(firstRow) * static_cast<std::size_t>(image.width) + i) * 3;
-    for (int c = 0; c < 3; ++c)
-      image.pixels[at + static_cast<std::size_t>(c)] = static_cast<float>(rgb[c]);
-  }
-}
 
 /// A packet of 8 x 8 pixels tests every triangle in its view: with many to a pixel, rays by
 /// themselves are sooner done. The figure is where the two met on a bunny of 69,666 triangles and
@@ -69,7 +58,7 @@ class Render {
   Image run() {
     const Crop core = plan_.core;
     Image image = rgbImage(core.x1 - core.x0, core.y1 - core.y0);
-    std::vector<shared::FilmPixel> film;
+    std::vector<std::byte> copy;
     for (int y = core.y0; y < core.y1; y += static_cast<int>(plan_.bandRows)) {
       const Crop band{core.x0, y, core.x1, std::min(core.y1, y + static_cast<int>(plan_.bandRows))};
       onDevice_->film().fillZero();
@@ -77,10 +66,10 @@ class Render {
       if (samples == 0) break;
       stats_.reached.addRows(band.y1 - band.y0, samples, scene_.sampler.sampleCount);
       const Stopwatch watch(stats_.seconds.readBack);
-      film.resize(static_cast<std::size_t>(band.x1 - band.x0) *
-                  static_cast<std::size_t>(band.y1 - band.y0));
-      onDevice_->film().download(std::as_writable_bytes(std::span(film)));
-      resolve(film, y - core.y0, image);
+      const std::size_t bytes = static_cast<std::size_t>(band.x1 - band.x0) *
+                                static_cast<std::size_t>(band.y1 - band.y0) *
+                                sizeof(shared::FilmPixel);
+      resolve(onDevice_->film().contents(bytes, copy), y - core.y0, image, options_.threads);
       ++stats_.bands;
       if (samples != scene_.sampler.sampleCount) break;
     }
