@@ -54,10 +54,12 @@ Device::Device(VkPhysicalDevice physical) : info_(deviceInfo(physical)) {
   VkFence fence = VK_NULL_HANDLE;
   check(vkCreateFence(device_, &fenceInfo, nullptr, &fence), "vkCreateFence");
   fence_ = {device_, fence, vkDestroyFence};
+  cache_.emplace(physical, device_);
 }
 
 Device::~Device() {
   vkDeviceWaitIdle(device_);
+  cache_.reset();
   fence_ = {};
   pool_ = {};
   vkDestroyDevice(device_, nullptr);

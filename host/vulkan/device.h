@@ -3,11 +3,13 @@
 
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "vulkan/device_info.h"
 #include "vulkan/handle.h"
 #include "vulkan/instance.h"
+#include "vulkan/pipeline_cache.h"
 
 namespace laver {
 
@@ -27,6 +29,7 @@ class Device {
   const VkPhysicalDeviceLimits& limits() const { return info_.limits; }
   const std::string& name() const { return info_.name; }
   const std::string& driver() const { return info_.driver; }
+  VkPipelineCache pipelineCache() const { return cache_->get(); }
   std::uint64_t maxAllocation() const { return info_.maxAllocation; }
 
   /// A memory type of `bits` with all of `flags`, or -1.
@@ -45,6 +48,7 @@ class Device {
   VkQueue queue_ = VK_NULL_HANDLE;
   Handle<VkCommandPool> pool_;
   Handle<VkFence> fence_;
+  std::optional<PipelineCache> cache_;
   VkCommandBuffer commands_ = VK_NULL_HANDLE;
   mutable std::mutex running_;
 };
