@@ -46,6 +46,9 @@ class Render {
       : device_(device), data_(data), plan_(plan), scene_(scene), options_(options), stats_(stats) {
     const Stopwatch watch(stats.seconds.upload);
     onDevice_.emplace(device, data, plan);
+    // Touched for the first time here, while kernels may still be compiled.
+    onDevice_->film().fillZero();
+    image_ = rgbImage(plan.core.x1 - plan.core.x0, plan.core.y1 - plan.core.y0);
   }
 
   /// Takes kernels that were compiled with `constants`.
@@ -57,11 +60,10 @@ class Render {
 
   Image run() {
     const Crop core = plan_.core;
-    Image image = rgbImage(core.x1 - core.x0, core.y1 - core.y0);
     std::vector<std::byte> copy;
     for (int y = core.y0; y < core.y1; y += static_cast<int>(plan_.bandRows)) {
       const Crop band{core.x0, y, core.x1, std::min(core.y1, y + static_cast<int>(plan_.bandRows))};
-      onDevice_->film().fillZero();
+      if (y != core.y0) onDevice_->film().fillZero();
       const std::uint32_t samples = renderBand(band);
       if (samples == 0) break;
       stats_.reached.addRows(band.y1 - band.y0, samples, scene_.sampler.sampleCount);
@@ -69,12 +71,12 @@ class Render {
       const std::size_t bytes = static_cast<std::size_t>(band.x1 - band.x0) *
                                 static_cast<std::size_t>(band.y1 - band.y0) *
                                 sizeof(shared::FilmPixel);
-      resolve(onDevice_->film().contents(bytes, copy), y - core.y0, image, options_.threads);
+      resolve(onDevice_->film().contents(bytes, copy), y - core.y0, image_, options_.threads);
       ++stats_.bands;
       if (samples != scene_.sampler.sampleCount) break;
     }
     stats_.droppedSamples = status_.dropped;
-    return image;
+    return std::move(image_);
   }
 
  private:
@@ -171,6 +173,7 @@ class Render {
   std::optional<DeviceScene> onDevice_;
   std::optional<Kernel> trace_, gather_;
   shared::Status status_{};
+  Image image_;
 };
 
 }  // namespace
