@@ -21,7 +21,8 @@ namespace {
 /// Writes one part of scan lines into memory. Throws std::runtime_error with OpenEXR's reason.
 class ExrWriter {
  public:
-  explicit ExrWriter(const std::string& name) {
+  ExrWriter(const std::string& name, std::size_t likelyBytes) {
+    bytes_.reserve(likelyBytes);
     exr_context_initializer_t start = EXR_DEFAULT_CONTEXT_INITIALIZER;
     start.user_data = this;
     start.error_handler_fn = [](exr_const_context_t context, exr_result_t, const char* message) {
@@ -108,7 +109,7 @@ void writeHeader(const ExrWriter& writer, const Image& image, const Metadata& me
 
 std::vector<std::byte> encode(const Image& image, const Metadata& metadata, const std::string& name,
                               unsigned threads) {
-  ExrWriter writer(name);
+  ExrWriter writer(name, image.pixels.size() * sizeof(float));
   writeHeader(writer, image, metadata);
   // Chunks hold channels in the order of their names.
   std::vector<std::size_t> channels(image.channels.size());
