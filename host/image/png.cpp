@@ -57,6 +57,7 @@ bool encode(const Bitmap& bitmap, PngTarget& target) {
     std::strncpy(reason.data(), message, reason.size() - 1);
     png_longjmp(png, 1);
   };
+  // NOLINTNEXTLINE(readability-non-const-parameter): libpng's type
   const auto write = [](png_structp png, png_bytep data, std::size_t size) {
     auto& bytes = static_cast<PngTarget*>(png_get_io_ptr(png))->bytes;
     const auto* begin = reinterpret_cast<const std::byte*>(data);
