@@ -9,14 +9,17 @@ find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_path(LAVER_VOLK_INCLUDE volk.h REQUIRED)
+find_path(LAVER_DEFLATE_INCLUDE libdeflate.h REQUIRED)
+find_library(LAVER_DEFLATE deflate REQUIRED)
 find_path(LAVER_TINYOBJ_INCLUDE tiny_obj_loader.h REQUIRED)
 find_program(LAVER_GLSLANG glslangValidator REQUIRED)
 find_program(LAVER_SPIRV_VAL spirv-val REQUIRED)
 
 add_library(laver_dependencies INTERFACE)
 target_include_directories(laver_dependencies SYSTEM INTERFACE
-  ${LAVER_VOLK_INCLUDE} ${LAVER_TINYOBJ_INCLUDE} ${Vulkan_INCLUDE_DIRS})
+  ${LAVER_VOLK_INCLUDE} ${LAVER_DEFLATE_INCLUDE} ${LAVER_TINYOBJ_INCLUDE} ${Vulkan_INCLUDE_DIRS})
 target_link_libraries(laver_dependencies INTERFACE
-  Threads::Threads glm::glm pugixml::pugixml OpenEXR::OpenEXR PNG::PNG CLI11::CLI11 fmt::fmt
+  Threads::Threads glm::glm pugixml::pugixml OpenEXR::OpenEXR OpenEXR::OpenEXRCore
+  ${LAVER_DEFLATE} PNG::PNG CLI11::CLI11 fmt::fmt
   nlohmann_json::nlohmann_json ${CMAKE_DL_LIBS})
 target_compile_definitions(laver_dependencies INTERFACE VK_NO_PROTOTYPES)

@@ -94,13 +94,13 @@ void writeStats(const RenderCommand& command, const Stats& stats) {
     throw Error(ExitCode::Output, command.statsFile + ": cannot be written");
 }
 
-Image render(const RenderCommand& command, const Scene& scene,
-             std::future<std::unique_ptr<Renderer>>& renderer, Stats& stats) {
+/// Renders with `renderer`, or the reference where there is none.
+Image render(const RenderCommand& command, const Scene& scene, Renderer* renderer, Stats& stats) {
   RenderOptions options = command.options;
   Progress progress(!command.quiet);
   options.progress = [&](double share) { progress.show(share); };
   options.stop = Interruption::noted;
-  if (!command.reference) return renderer.get()->render(scene, options, stats);
+  if (renderer != nullptr) return renderer->render(scene, options, stats);
   stats.device = "reference";
   stats.driver = "double precision on the CPU";
   stats.traversal = "reference";
@@ -132,13 +132,12 @@ Error interrupted(const std::string& what) { return {Interruption::code(), "inte
 ExitCode run(const RenderCommand& command) {
   const auto start = Clock::now();
   const Interruption interruption;
-  std::future<std::unique_ptr<Renderer>> renderer;
+  std::unique_ptr<Renderer> renderer;
   if (!command.reference) {
     // lavapipe reads its thread count when it starts.
     if (command.options.threads != 0)
       ::setenv("LP_NUM_THREADS", std::to_string(command.options.threads).c_str(), 0);
-    renderer =
-        std::async(std::launch::async, [&] { return std::make_unique<Renderer>(command.vulkan); });
+    renderer = std::make_unique<Renderer>(command.vulkan);
   }
 
   Stats stats;
@@ -155,7 +154,7 @@ ExitCode run(const RenderCommand& command) {
   if (!command.quiet) std::cout << "Configuration: " << describe(scene) << "\nRendering .. ";
   flushStandardOutput();  // better now than after a long render
   const auto renderStart = Clock::now();
-  const Image image = render(command, scene, renderer, stats);
+  const Image image = render(command, scene, renderer.get(), stats);
   const double renderSeconds = since(renderStart);
   const Reached& reached = stats.reached;
   const bool whole = reached.wholeRows == image.height;

@@ -1,100 +1,140 @@
-#include <ImathMatrix.h>
-#include <OpenEXR/ImfChannelList.h>
-#include <OpenEXR/ImfFloatAttribute.h>
-#include <OpenEXR/ImfFrameBuffer.h>
-#include <OpenEXR/ImfHeader.h>
-#include <OpenEXR/ImfIO.h>
-#include <OpenEXR/ImfIntAttribute.h>
-#include <OpenEXR/ImfMatrixAttribute.h>
-#include <OpenEXR/ImfOutputFile.h>
-#include <OpenEXR/ImfStringAttribute.h>
-#include <OpenEXR/ImfThreading.h>
+#include <OpenEXR/openexr.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
-#include <exception>
-#include <utility>
+#include <numeric>
+#include <stdexcept>
 #include <vector>
 
 #include "core/error.h"
 #include "core/parallel.h"
 #include "image/atomic_file.h"
+#include "image/exr_zip.h"
 #include "image/image_defect.h"
 #include "image/io.h"
 
 namespace laver {
 namespace {
 
-/// A file in memory for OpenEXR, which goes back to fill in its table of lines.
-class MemoryStream final : public Imf::OStream {
+/// Writes one part of scan lines into memory. Throws std::runtime_error with OpenEXR's reason.
+class ExrWriter {
  public:
-  explicit MemoryStream(const char* name) : OStream(name) {}
-
-  void write(const char bytes[], int count) override {
-    const auto size = static_cast<std::size_t>(count);
-    if (bytes_.size() < position_ + size) bytes_.resize(position_ + size);
-    std::memcpy(bytes_.data() + position_, bytes, size);
-    position_ += size;
+  ExrWriter(const std::string& name, std::size_t likelyBytes) {
+    bytes_.reserve(likelyBytes);
+    exr_context_initializer_t start = EXR_DEFAULT_CONTEXT_INITIALIZER;
+    start.user_data = this;
+    start.error_handler_fn = [](exr_const_context_t context, exr_result_t, const char* message) {
+      if (ExrWriter* self = of(context)) self->reason_ = message;
+    };
+    start.write_fn = [](exr_const_context_t, void* self, const void* data, std::uint64_t size,
+                        std::uint64_t offset, exr_stream_error_func_ptr_t) {
+      return static_cast<ExrWriter*>(self)->write(data, size, offset);
+    };
+    check(exr_start_write(&context_, name.c_str(), EXR_WRITE_FILE_DIRECTLY, &start));
   }
-  std::uint64_t tellp() override { return position_; }
-  void seekp(std::uint64_t position) override { position_ = position; }
+  ~ExrWriter() { exr_finish(&context_); }
+  ExrWriter(const ExrWriter&) = delete;
+  ExrWriter& operator=(const ExrWriter&) = delete;
 
-  std::vector<std::byte> takeBytes() { return std::move(bytes_); }
+  exr_context_t context() const { return context_; }
+
+  void check(exr_result_t result) const {
+    if (result != EXR_ERR_SUCCESS)
+      throw std::runtime_error(reason_.empty() ? exr_get_default_error_message(result) : reason_);
+  }
+
+  std::vector<std::byte> finish() {
+    check(exr_finish(&context_));  // writes the table of chunks
+    return std::move(bytes_);
+  }
 
  private:
+  static ExrWriter* of(exr_const_context_t context) {
+    void* self = nullptr;
+    exr_get_user_data(context, &self);
+    return static_cast<ExrWriter*>(self);
+  }
+
+  std::int64_t write(const void* data, std::uint64_t size, std::uint64_t offset) noexcept try {
+    if (bytes_.size() < offset + size) bytes_.resize(offset + size);
+    std::memcpy(bytes_.data() + offset, data, size);
+    return static_cast<std::int64_t>(size);
+  } catch (const std::bad_alloc&) {
+    reason_ = "out of memory";
+    return -1;
+  }
+
+  exr_context_t context_ = nullptr;
+  std::string reason_;
   std::vector<std::byte> bytes_;
-  std::size_t position_ = 0;
 };
 
 /// Puts one metadata value into the header as the attribute type that pbrt uses for it.
 struct AttributeWriter {
-  Imf::Header& header;
-  const std::string& name;
+  exr_context_t file;
+  const char* name;
 
-  void operator()(const std::string& text) const {
-    header.insert(name, Imf::StringAttribute(text));
+  exr_result_t operator()(const std::string& text) const {
+    return exr_attr_set_string(file, 0, name, text.c_str());
   }
-  void operator()(double number) const {
-    header.insert(name, Imf::FloatAttribute(static_cast<float>(number)));
+  exr_result_t operator()(double number) const {
+    return exr_attr_set_float(file, 0, name, static_cast<float>(number));
   }
-  void operator()(int number) const { header.insert(name, Imf::IntAttribute(number)); }
-  /// Imath multiplies row vectors from the left, so row i of its matrix is glm's column i.
-  void operator()(const glm::dmat4& matrix) const {
-    Imath::M44f rows;
-    for (int i = 0; i < 4; ++i) {
-      for (int j = 0; j < 4; ++j) rows[i][j] = static_cast<float>(matrix[i][j]);
-    }
-    header.insert(name, Imf::M44fAttribute(rows));
+  exr_result_t operator()(int number) const { return exr_attr_set_int(file, 0, name, number); }
+  /// EXR multiplies row vectors from the left, so row i of its matrix is glm's column i.
+  exr_result_t operator()(const glm::dmat4& matrix) const {
+    exr_attr_m44f_t rows;
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j) rows.m[i * 4 + j] = static_cast<float>(matrix[i][j]);
+    return exr_attr_set_m44f(file, 0, name, &rows);
   }
 };
 
-std::vector<std::byte> encode(const Image& image, const Metadata& metadata, const char* name,
-                              unsigned threads) {
-  const int workers = static_cast<int>(threadCount(threads));
-  // One pool serves the whole process; it never shrinks below what another call asked for.
-  if (Imf::globalThreadCount() < workers) Imf::setGlobalThreadCount(workers);
-  Imf::Header header(image.width, image.height);
-  header.compression() = Imf::ZIP_COMPRESSION;
-  for (const auto& [key, value] : metadata) std::visit(AttributeWriter{header, key}, value);
+void writeHeader(const ExrWriter& writer, const Image& image, const Metadata& metadata) {
+  exr_context_t file = writer.context();
+  int part = 0;
+  writer.check(exr_set_longname_support(file, 1));
+  writer.check(exr_add_part(file, nullptr, EXR_STORAGE_SCANLINE, &part));
+  writer.check(
+      exr_initialize_required_attr_simple(file, 0, image.width, image.height, EXR_COMPRESSION_ZIP));
+  for (const std::string& channel : image.channels)
+    writer.check(exr_add_channel(file, 0, channel.c_str(), EXR_PIXEL_FLOAT,
+                                 EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1));
+  for (const auto& [key, value] : metadata)
+    writer.check(std::visit(AttributeWriter{file, key.c_str()}, value));
+  writer.check(exr_write_header(file));
+}
 
-  const Imath::Box2i window = header.dataWindow();
-  const std::size_t stride = image.channels.size() * sizeof(float);
-  Imf::FrameBuffer frame;
-  for (std::size_t c = 0; c < image.channels.size(); ++c) {
-    header.channels().insert(image.channels[c], Imf::Channel(Imf::FLOAT));
-    frame.insert(image.channels[c],
-                 Imf::Slice::Make(Imf::FLOAT, image.pixels.data() + c, window, stride,
-                                  stride * static_cast<std::size_t>(image.width)));
+std::vector<std::byte> encode(const Image& image, const Metadata& metadata, const std::string& name,
+                              unsigned threads) {
+  ExrWriter writer(name, image.pixels.size() * sizeof(float));
+  writeHeader(writer, image, metadata);
+  // Chunks hold channels in the order of their names.
+  std::vector<std::size_t> channels(image.channels.size());
+  std::iota(channels.begin(), channels.end(), std::size_t{0});
+  std::sort(channels.begin(), channels.end(),
+            [&](std::size_t a, std::size_t b) { return image.channels[a] < image.channels[b]; });
+  // Some at a time, so that no second picture lies in memory.
+  std::vector<std::vector<std::byte>> chunks(std::size_t{32} * threadCount(threads));
+  const auto rowsAtOnce = static_cast<int>(chunks.size()) * kExrZipRows;
+  for (int first = 0; first < image.height; first += rowsAtOnce) {
+    const int rows = std::min(rowsAtOnce, image.height - first);
+    const auto count = static_cast<std::size_t>((rows + kExrZipRows - 1) / kExrZipRows);
+    const auto rowOf = [&](std::size_t chunk) {
+      return first + static_cast<int>(chunk) * kExrZipRows;
+    };
+    parallelFor(count, 1, threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        chunks[i] =
+            exrZipChunk(image, channels, rowOf(i), std::min(rowOf(i) + kExrZipRows, image.height));
+    });
+    for (std::size_t i = 0; i < count; ++i)
+      writer.check(exr_write_scanline_chunk(writer.context(), 0, rowOf(i), chunks[i].data(),
+                                            chunks[i].size()));
   }
-  MemoryStream stream(name);
-  {
-    Imf::OutputFile output(stream, header, workers);
-    output.setFrameBuffer(frame);
-    output.writePixels(image.height);
-  }  // the table of lines is written here
-  return stream.takeBytes();
+  return writer.finish();
 }
 
 }  // namespace
@@ -105,7 +145,7 @@ void writeExr(const std::string& file, const Image& image, const Metadata& metad
   std::vector<std::byte> bytes;
   if (reason.empty()) {
     try {
-      bytes = encode(image, metadata, file.c_str(), threads);
+      bytes = encode(image, metadata, file, threads);
     } catch (const std::exception& error) {
       reason = error.what();
       std::replace(reason.begin(), reason.end(), '\n', ' ');

@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+#include <bit>
 #include <cstdint>
 
 namespace laver {
@@ -6,5 +8,31 @@ namespace laver {
 /// Linear light to the sRGB transfer curve of IEC 61966-2-1, clamped to [0, 1], times 255, rounded
 /// to nearest. NaN gives 0.
 std::uint8_t srgb8(float linear);
+
+/// The same, bit for bit, by looking it up: floats that agree in all but their lowest 16 bits
+/// differ by at most 1, as the curve rises by 255 / 2.4 / 128 < 1 over 1/128 of its argument.
+class SrgbTable {
+ public:
+  static const SrgbTable& shared();
+
+  std::uint8_t operator()(float linear) const {
+    if (!(linear >= kLow)) return 0;  // NaN too
+    if (linear >= 1.0f) return 255;
+    const Bucket& bucket = buckets_[(std::bit_cast<std::uint32_t>(linear) >> 16) - kFirst];
+    return static_cast<std::uint8_t>(bucket.value + (linear >= bucket.next ? 1 : 0));
+  }
+
+ private:
+  struct Bucket {
+    float next;  ///< from here on 1 more; infinity where the bucket has one value
+    std::uint8_t value;
+  };
+  static constexpr float kLow = 0x1p-13f;  ///< 255 * 12.92 * 2^-13 < 1/2
+  static constexpr std::uint32_t kFirst = std::bit_cast<std::uint32_t>(kLow) >> 16;
+  static constexpr std::uint32_t kEnd = std::bit_cast<std::uint32_t>(1.0f) >> 16;
+
+  SrgbTable();
+  std::array<Bucket, kEnd - kFirst> buckets_;
+};
 
 }  // namespace laver

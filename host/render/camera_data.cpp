@@ -65,31 +65,17 @@ void packCamera(const Scene& scene, SceneData& data) {
   data.params.film.y = static_cast<std::uint32_t>(camera.height);
 }
 
-void packFilter(const Filter& f, bool noriCompat, SceneData& data) {
+void packFilter(const Filter& f, SceneData& data) {
   const double alpha = -1.0 / (2.0 * f.stddev * f.stddev);
   vec4& args = data.params.filterArgs;
   args = vec4(static_cast<float>(f.radius), 0.0F, 0.0F, 0.0F);
-  std::uint32_t kind = shared::FILTER_BOX;
-  switch (f.kind) {
-    case Filter::Kind::Gaussian:
-      kind = shared::FILTER_GAUSSIAN;
-      args.y = static_cast<float>(alpha);
-      args.z = static_cast<float>(std::exp(alpha * f.radius * f.radius));
-      break;
-    case Filter::Kind::Mitchell:
-      kind = shared::FILTER_MITCHELL;
-      args.y = static_cast<float>(f.B);
-      args.z = static_cast<float>(f.C);
-      break;
-    case Filter::Kind::Tent:
-      kind = shared::FILTER_TENT;
-      break;
-    case Filter::Kind::Box:
-      break;
+  if (f.kind == Filter::Kind::Gaussian) {
+    args.y = static_cast<float>(alpha);
+    args.z = static_cast<float>(std::exp(alpha * f.radius * f.radius));
+  } else if (f.kind == Filter::Kind::Mitchell) {
+    args.y = static_cast<float>(f.B);
+    args.z = static_cast<float>(f.C);
   }
-  data.constants[shared::SPEC_FILTER] = kind;
-  data.constants[shared::SPEC_APRON] = apronOf(f.radius);
-  data.constants[shared::SPEC_NORI_TABLE] = noriCompat ? 1 : 0;
   // Nori's table: 32 entries over the radius, and a last one of 0.
   for (int i = 0; i < 32; ++i)
     data.params.table[i / 4][i % 4] = static_cast<float>(evaluate(f, f.radius * i / 32.0));

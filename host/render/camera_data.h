@@ -6,7 +6,7 @@ namespace laver {
 /// Fills the camera's part of data.params from data.space; needs it set.
 void packCamera(const Scene& scene, SceneData& data);
 
-/// Fills the filter's part of data.params and data.constants.
-void packFilter(const Filter& filter, bool noriCompat, SceneData& data);
+/// Fills the filter's part of data.params.
+void packFilter(const Filter& filter, SceneData& data);
 
 }  // namespace laver

@@ -2,30 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
+#include <future>
 #include <numeric>
 #include <optional>
 
 #include "core/parallel.h"
 #include "render/device_scene.h"
+#include "render/kernels.h"
 #include "render/plan.h"
-#include "vulkan/kernel.h"
+#include "render/resolve.h"
+#include "render/stopwatch.h"
+#include "render/vulkan_start.h"
 
 namespace laver {
 namespace {
-
-/// Adds the time until its end to `seconds`.
-class Stopwatch {
- public:
-  explicit Stopwatch(double& seconds) : seconds_(seconds) {}
-  ~Stopwatch() {
-    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  double& seconds_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// A stride that visits all of 0 .. rows - 1 in an even mix: coprime to rows, near 0.618 of it.
 std::uint32_t rowStride(std::uint32_t rows) {
@@ -36,33 +26,6 @@ std::uint32_t rowStride(std::uint32_t rows) {
 
 std::uint32_t groups(std::uint32_t count, std::uint32_t size) { return (count + size - 1) / size; }
 
-/// The picture's part of a band, from its sums: rgb / weight, 0 where no weight fell.
-void resolve(std::span<const shared::FilmPixel> film, int firstRow, Image& image) {
-  for (std::size_t i = 0; i < film.size(); ++i) {
-    const glm::dvec4 total = glm::dvec4(film[i].sum) + glm::dvec4(film[i].rest);
-    const glm::dvec3 rgb = total.w == 0.0 ? glm::dvec3(0.0) : glm::dvec3(total) / total.w;
-    const std::size_t at =
-        (static_cast<std::size_t>(firstRow) * static_cast<std::size_t>(image.width) + i) * 3;
-    for (int c = 0; c < 3; ++c)
-      image.pixels[at + static_cast<std::size_t>(c)] = static_cast<float>(rgb[c]);
-  }
-}
-
-/// The traversal to run: `wanted`, or the faster one that the device can. Throws Error.
-std::string traversalFor(const Device& device, const std::string& wanted) {
-  std::string best = bestTraversal(device.info());
-  if (wanted.empty()) return best;
-  if (wanted == "packet" && best != "packet")
-    throw Error(ExitCode::Device,
-                fmt::format("traversal packet needs subgroups of 8 lanes that shuffle; {} has {}",
-                            device.name(), device.info().subgroupSize));
-  if (wanted != "packet" && wanted != "lane")
-    throw Error(ExitCode::Usage, fmt::format("no traversal is named \"{}\"; there are lane and "
-                                             "packet",
-                                             wanted));
-  return wanted;
-}
-
 /// A packet of 8 x 8 pixels tests every triangle in its view: with many to a pixel, rays by
 /// themselves are sooner done. The figure is where the two met on a bunny of 69,666 triangles and
 /// on the same subdivided to 1.1 million.
@@ -71,42 +34,49 @@ bool tooDenseForPackets(std::uint64_t triangles, const Camera& camera) {
          static_cast<std::uint64_t>(camera.width) * static_cast<std::uint64_t>(camera.height);
 }
 
+std::string traceName(Integrator integrator, const std::string& traversal) {
+  return std::string(integratorName(integrator)) + "_" + traversal;
+}
+
 /// One picture: bands outside, passes inside.
 class Render {
  public:
   Render(const Device& device, const SceneData& data, const RenderPlan& plan, const Scene& scene,
          const RenderOptions& options, Stats& stats)
       : device_(device), data_(data), plan_(plan), scene_(scene), options_(options), stats_(stats) {
-    {
-      const Stopwatch watch(stats.seconds.upload);
-      onDevice_.emplace(device, data, plan);
-    }
-    const Stopwatch watch(stats.seconds.compile);
-    compileTrace();
-    gather_.emplace(device, onDevice_->bindings(), "gather", data.constants, sizeof(shared::Pass));
-    prepare(*gather_);
+    const Stopwatch watch(stats.seconds.upload);
+    onDevice_.emplace(device, data, plan);
+    // Touched for the first time here, while kernels may still be compiled.
+    onDevice_->film().fillZero();
+    image_ = rgbImage(plan.core.x1 - plan.core.x0, plan.core.y1 - plan.core.y0);
+  }
+
+  /// Takes kernels that were compiled with `constants`.
+  void take(Kernels kernels, const SpecConstants& constants) {
+    trace_ = std::move(kernels.trace);
+    gather_ = std::move(kernels.gather);
+    if (constants != data_.constants) compileTrace();  // a deeper stack than was guessed
   }
 
   Image run() {
     const Crop core = plan_.core;
-    Image image = rgbImage(core.x1 - core.x0, core.y1 - core.y0);
-    std::vector<shared::FilmPixel> film;
+    std::vector<std::byte> copy;
     for (int y = core.y0; y < core.y1; y += static_cast<int>(plan_.bandRows)) {
       const Crop band{core.x0, y, core.x1, std::min(core.y1, y + static_cast<int>(plan_.bandRows))};
-      onDevice_->film().fillZero();
+      if (y != core.y0) onDevice_->film().fillZero();
       const std::uint32_t samples = renderBand(band);
       if (samples == 0) break;
       stats_.reached.addRows(band.y1 - band.y0, samples, scene_.sampler.sampleCount);
       const Stopwatch watch(stats_.seconds.readBack);
-      film.resize(static_cast<std::size_t>(band.x1 - band.x0) *
-                  static_cast<std::size_t>(band.y1 - band.y0));
-      onDevice_->film().download(std::as_writable_bytes(std::span(film)));
-      resolve(film, y - core.y0, image);
+      const std::size_t bytes = static_cast<std::size_t>(band.x1 - band.x0) *
+                                static_cast<std::size_t>(band.y1 - band.y0) *
+                                sizeof(shared::FilmPixel);
+      resolve(onDevice_->film().contents(bytes, copy), y - core.y0, image_, options_.threads);
       ++stats_.bands;
       if (samples != scene_.sampler.sampleCount) break;
     }
     stats_.droppedSamples = status_.dropped;
-    return image;
+    return std::move(image_);
   }
 
  private:
@@ -115,18 +85,9 @@ class Render {
   }
 
   void compileTrace() {
-    trace_.emplace(device_, onDevice_->bindings(),
-                   std::string(integratorName(scene_.integrator)) + "_" + stats_.traversal,
-                   data_.constants, sizeof(shared::Pass));
-    prepare(*trace_);
-  }
-
-  /// lavapipe makes machine code at the first dispatch: one of no groups.
-  void prepare(const Kernel& kernel) const {
-    const shared::Pass nothing{};
-    device_.run([&](VkCommandBuffer commands) {
-      kernel.dispatch(commands, onDevice_->bindings(), bytes(nothing), {0, 1, 1});
-    });
+    const Stopwatch watch(stats_.seconds.compile);
+    trace_ = compileKernel(device_, onDevice_->bindings(),
+                           traceName(scene_.integrator, stats_.traversal), data_.constants);
   }
 
   /// Returns how many samples a pixel the band got.
@@ -212,48 +173,47 @@ class Render {
   std::optional<DeviceScene> onDevice_;
   std::optional<Kernel> trace_, gather_;
   shared::Status status_{};
+  Image image_;
 };
 
 }  // namespace
 
-std::string bestTraversal(const DeviceInfo& device) {
-  return device.subgroupSize == 8 && device.shuffles ? "packet" : "lane";
-}
-
 struct Renderer::Impl {
-  explicit Impl(const VulkanOptions& o)
-      : options(o), instance(o.validate), device(choosePhysicalDevice(instance, o.device)) {}
   VulkanOptions options;
-  Instance instance;
-  Device device;
-  std::string traversal;
-  double startSeconds = 0;
+  std::shared_future<std::unique_ptr<StartedVulkan>> vulkan;
 };
 
-Renderer::Renderer(const VulkanOptions& options) {
-  double seconds = 0;
-  {
-    const Stopwatch watch(seconds);
-    impl_ = std::make_unique<Impl>(options);
-  }
-  impl_->startSeconds = seconds;
-  impl_->traversal = traversalFor(impl_->device, options.traversal);
+Renderer::Renderer(const VulkanOptions& options) : impl_(new Impl{options, {}}) {
+  impl_->vulkan =
+      std::async(std::launch::async, [options] { return startVulkan(options); }).share();
 }
 
 Renderer::~Renderer() = default;
 
 Image Renderer::render(const Scene& scene, const RenderOptions& options, Stats& stats) {
-  const Device& device = impl_->device;
+  const SpecConstants constants = specialise(scene, options, impl_->options.generic);
+  std::uint64_t triangles = 0;
+  for (const Mesh& mesh : scene.meshes) {
+    triangles += mesh.triangles.size();
+    stats.droppedTriangles += mesh.droppedTriangles;
+  }
+  // Beside the building of the tree: the rest of the device's start, and the kernels.
+  auto compiling = std::async(std::launch::async, [&] {
+    const StartedVulkan& vulkan = *impl_->vulkan.get();
+    stats.traversal = vulkan.traversal;
+    if (impl_->options.traversal.empty() && tooDenseForPackets(triangles, scene.camera))
+      stats.traversal = "lane";
+    const Stopwatch watch(stats.seconds.compile);
+    return compileKernels(vulkan.device, traceName(scene.integrator, stats.traversal), constants);
+  });
+  const SceneData data = packScene(scene, options, constants);
+  stats.describe(data);
+
+  const StartedVulkan& vulkan = *impl_->vulkan.get();
+  const Device& device = vulkan.device;
   stats.device = device.name();
   stats.driver = device.driver();
-  stats.traversal = impl_->traversal;
-  stats.seconds.vulkanStart = impl_->startSeconds;
-
-  const SceneData data = packScene(scene, options, impl_->options.generic);
-  stats.describe(data);
-  if (impl_->options.traversal.empty() && tooDenseForPackets(data.triangles, scene.camera))
-    stats.traversal = "lane";
-  for (const Mesh& mesh : scene.meshes) stats.droppedTriangles += mesh.droppedTriangles;
+  stats.seconds.vulkanStart = vulkan.seconds;
   const Crop core = options.crop.value_or(Crop{0, 0, scene.camera.width, scene.camera.height});
   const RenderPlan plan = planRender(device.limits(), core, scene.camera.width, scene.camera.height,
                                      data.constants[shared::SPEC_APRON], scene.sampler.sampleCount,
@@ -261,8 +221,10 @@ Image Renderer::render(const Scene& scene, const RenderOptions& options, Stats& 
   stats.samplesAPass = plan.samplesAPass;
   stats.samples = 0;
   stats.reached = {};
-  Image image = Render(device, data, plan, scene, options, stats).run();
-  impl_->instance.throwIfInvalid();
+  Render picture(device, data, plan, scene, options, stats);
+  picture.take(compiling.get(), constants);
+  Image image = picture.run();
+  vulkan.instance.throwIfInvalid();
   return image;
 }
 

@@ -25,16 +25,16 @@ struct VulkanOptions {
   bool generic = false;               ///< for tests: kernels not specialised to the scene
 };
 
-/// A Vulkan device ready to render. Starting takes tens of milliseconds: do it beside loading.
+/// Renders on a Vulkan device, which starts on a thread of its own, beside the loading of a scene.
 class Renderer {
  public:
-  /// Throws Error(Device).
   explicit Renderer(const VulkanOptions& options);
   ~Renderer();
 
   /// Renders the film or its crop, up to where `options.stop` ends it: stats.reached. Throws
-  /// Error(Device) for a limit, a lost device, or, with `validate`, the first message. Fills
-  /// `stats` but for loading and writing.
+  /// Error(Device) where no device could be started, for a limit, a lost device, or, with
+  /// `validate`, the first message, and Error(Usage) for an unknown traversal. Fills `stats` but
+  /// for loading and writing.
   Image render(const Scene& scene, const RenderOptions& options, Stats& stats);
 
  private:

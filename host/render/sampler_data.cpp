@@ -42,23 +42,23 @@ PcgJump pcgJump(std::uint64_t steps) {
   return result;
 }
 
-void packSampler(const Scene& scene, bool generic, SceneData& data) {
+std::uint32_t jumpLevels(std::uint32_t samples) {
+  if (samples == 1) return 1;
+  return samples <= kLowSamples ? 2 : 3;
+}
+
+void packSampler(const Scene& scene, SceneData& data) {
   const std::uint32_t samples = scene.sampler.sampleCount;
+  const std::uint32_t levels = data.constants[shared::SPEC_JUMP_LEVELS];
   // By pixel of the block, with the step that ends PCG32's seeding.
   appendTable(data.jumps, 1, kNumbersPerSample * samples, kBlockPixels);
   const std::uint32_t low = std::min(samples, kLowSamples);
   data.params.jumps = {static_cast<std::uint32_t>(data.jumps.size()), 0, low, 0};
-  std::uint32_t levels = 1;
-  if (samples > 1 || generic) {
-    levels = 2;
-    appendTable(data.jumps, 0, kNumbersPerSample, low);
-  }
-  if (samples > low || generic) {
-    levels = 3;
+  if (levels >= 2) appendTable(data.jumps, 0, kNumbersPerSample, low);
+  if (levels >= 3) {
     data.params.jumps.y = static_cast<std::uint32_t>(data.jumps.size());
     appendTable(data.jumps, 0, kNumbersPerSample * low, (samples + low - 1) / low);
   }
-  data.constants[shared::SPEC_JUMP_LEVELS] = levels;
   data.params.film.z = samples;
   const auto seed = static_cast<std::uint64_t>(scene.sampler.seed);
   data.params.seed = {halves(seed), 0, 0};

@@ -14,7 +14,10 @@ struct PcgJump {
 /// The jump by `steps` (Brown, "Random Number Generation with Arbitrary Strides", 1994).
 PcgJump pcgJump(std::uint64_t steps);
 
-/// Fills data.jumps and the sampler's part of data.params and data.constants.
-void packSampler(const Scene& scene, bool generic, SceneData& data);
+/// Tables that so many samples a pixel need: SPEC_JUMP_LEVELS.
+std::uint32_t jumpLevels(std::uint32_t samples);
+
+/// Fills data.jumps and the sampler's part of data.params, as data.constants say.
+void packSampler(const Scene& scene, SceneData& data);
 
 }  // namespace laver

@@ -23,20 +23,9 @@ class MeshPacker {
  public:
   MeshPacker(const Scene& scene, SceneData& data) : scene_(scene), data_(data) {}
 
-  std::vector<shared::Triangle> pack(bool generic) {
-    const bool needsNormals = scene_.integrator != Integrator::Depth;
-    const bool needsAlbedo = scene_.integrator == Integrator::DirectWhitted;
-    for (const Mesh& mesh : scene_.meshes) {
-      hasNormals_ = hasNormals_ || (needsNormals && !mesh.normals.empty());
-      hasAlbedos_ =
-          hasAlbedos_ || (needsAlbedo && mesh.bsdf.albedo != scene_.meshes.front().bsdf.albedo);
-    }
-    hasNormals_ = hasNormals_ || generic;
-    hasAlbedos_ = hasAlbedos_ || generic;
+  std::vector<shared::Triangle> pack() {
     for (const Mesh& mesh : scene_.meshes) add(mesh);
     if (hasNormals_ && data_.normals.empty()) data_.normals.emplace_back(0.0F);
-    data_.constants[shared::SPEC_NORMALS] = hasNormals_ ? 1 : 0;
-    data_.constants[shared::SPEC_ALBEDOS] = hasAlbedos_ ? 1 : 0;
     return std::move(triangles_);
   }
 
@@ -88,7 +77,8 @@ class MeshPacker {
   SceneData& data_;
   std::vector<shared::Triangle> triangles_;
   std::uint32_t nextId_ = 0;
-  bool hasNormals_ = false, hasAlbedos_ = false;
+  bool hasNormals_ = data_.constants[shared::SPEC_NORMALS] != 0;
+  bool hasAlbedos_ = data_.constants[shared::SPEC_ALBEDOS] != 0;
 };
 
 /// Attributes are gathered by triangle in file order; leaves want them in their own.
@@ -129,14 +119,12 @@ Normalisation normalisationOf(const Scene& scene) {
   return space;
 }
 
-std::uint32_t apronOf(double radius) {
-  return static_cast<std::uint32_t>(std::floor(radius + 0.5));
-}
-
-SceneData packScene(const Scene& scene, const RenderOptions& options, bool generic) {
+SceneData packScene(const Scene& scene, const RenderOptions& options,
+                    const SpecConstants& constants) {
   SceneData data;
+  data.constants = constants;
   data.space = normalisationOf(scene);
-  const auto triangles = MeshPacker(scene, data).pack(generic);
+  const auto triangles = MeshPacker(scene, data).pack();
   data.triangles = triangles.size();
   const auto start = std::chrono::steady_clock::now();
   data.bvh = buildBvh(triangles, options.threads);
@@ -147,12 +135,10 @@ SceneData packScene(const Scene& scene, const RenderOptions& options, bool gener
     for (const PointLight& light : scene.lights)
       data.lights.push_back(lightData(light, data.space));
 
-  // Rounded up, so that scenes alike in size share a compiled kernel.
-  data.constants[shared::SPEC_STACK] = (data.bvh.stack + 15) / 16 * 16;
-  data.constants[shared::SPEC_LIGHTS] = generic || !data.lights.empty() ? 1 : 0;
+  requireStack(data.constants, data.bvh.stack);
   packCamera(scene, data);
-  packFilter(scene.filter, options.noriCompat, data);
-  packSampler(scene, generic, data);
+  packFilter(scene.filter, data);
+  packSampler(scene, data);
   if (!scene.meshes.empty())
     data.params.albedo = glm::vec4(vec3(scene.meshes.front().bsdf.albedo), 0.0F);
   data.params.film.w = data.bvh.root;

@@ -1,13 +1,10 @@
 #pragma once
-#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
 
 #include "bvh/bvh.h"
-#include "scene/render_options.h"
-#include "scene/scene.h"
-#include "shared/layout.h"
+#include "render/specialise.h"
 
 namespace laver {
 
@@ -19,9 +16,6 @@ struct Normalisation {
   glm::dvec3 apply(glm::dvec3 p) const { return (p - centre) * scale; }
 };
 Normalisation normalisationOf(const Scene& scene);
-
-/// What is left out because the scene does not need it, and the constants that say so.
-using SpecConstants = std::array<std::uint32_t, shared::SPEC_CONSTANTS>;
 
 /// A scene in the layout of the kernels; empty arrays are not uploaded.
 struct SceneData {
@@ -39,11 +33,8 @@ struct SceneData {
   double buildSeconds = 0;               ///< of the tree
 };
 
-/// Rounds, builds and packs. With `generic` the kernels are not specialised to the scene: for
-/// tests, which show that the picture keeps its bits.
-SceneData packScene(const Scene& scene, const RenderOptions& options, bool generic = false);
-
-/// Pixels on each side of a sample's own that a filter of that radius can reach.
-std::uint32_t apronOf(double radius);
+/// Rounds, builds and packs what kernels with these constants read; makes the stack deep enough.
+SceneData packScene(const Scene& scene, const RenderOptions& options,
+                    const SpecConstants& constants);
 
 }  // namespace laver

@@ -90,6 +90,7 @@ void Buffer::allocate(const Device& device, const char* what, VkMemoryPropertyFl
     void* pointer = nullptr;
     check(vkMapMemory(device.get(), memory, 0, VK_WHOLE_SIZE, 0, &pointer), "vkMapMemory");
     mapped_ = static_cast<std::byte*>(pointer);
+    cached_ = (device.memoryFlags(info.memoryTypeIndex) & VK_MEMORY_PROPERTY_HOST_CACHED_BIT) != 0;
   }
 }
 
@@ -123,6 +124,14 @@ void Buffer::download(std::span<std::byte> data) const {
     });
     std::memcpy(data.data() + at, staging.mapped_, size);
   }
+}
+
+std::span<const std::byte> Buffer::contents(VkDeviceSize bytes,
+                                            std::vector<std::byte>& copy) const {
+  if (mapped_ != nullptr && cached_) return {mapped_, bytes};
+  copy.resize(bytes);
+  download(copy);
+  return copy;
 }
 
 void Buffer::fillZero() const {

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "vulkan/device.h"
 
@@ -22,6 +23,8 @@ class Buffer {
   void upload(std::span<const std::byte> data) const;
   void download(std::span<std::byte> data) const;
   void fillZero() const;
+  /// The first `bytes`: in place where the host reads them at speed, else downloaded to `copy`.
+  std::span<const std::byte> contents(VkDeviceSize bytes, std::vector<std::byte>& copy) const;
 
   /// A view of the whole buffer as texels.
   Handle<VkBufferView> texelView(VkFormat format) const;
@@ -35,6 +38,7 @@ class Buffer {
   Handle<VkBuffer> buffer_;
   Handle<VkDeviceMemory> memory_;
   std::byte* mapped_ = nullptr;
+  bool cached_ = false;  ///< host memory that is not read past the processor's caches
 
   struct Staging {};
   Buffer(const Device& device, Staging, VkDeviceSize bytes);

@@ -54,10 +54,12 @@ Device::Device(VkPhysicalDevice physical) : info_(deviceInfo(physical)) {
   VkFence fence = VK_NULL_HANDLE;
   check(vkCreateFence(device_, &fenceInfo, nullptr, &fence), "vkCreateFence");
   fence_ = {device_, fence, vkDestroyFence};
+  cache_.emplace(physical, device_);
 }
 
 Device::~Device() {
   vkDeviceWaitIdle(device_);
+  cache_.reset();
   fence_ = {};
   pool_ = {};
   vkDestroyDevice(device_, nullptr);
@@ -75,6 +77,7 @@ VkMemoryPropertyFlags Device::memoryFlags(std::uint32_t type) const {
 }
 
 void Device::run(const std::function<void(VkCommandBuffer)>& record) const {
+  const std::lock_guard lock(running_);
   VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
   begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
   check(vkBeginCommandBuffer(commands_, &begin), "vkBeginCommandBuffer");

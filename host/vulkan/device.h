@@ -2,11 +2,14 @@
 #include <volk.h>
 
 #include <functional>
+#include <mutex>
+#include <optional>
 #include <string>
 
 #include "vulkan/device_info.h"
 #include "vulkan/handle.h"
 #include "vulkan/instance.h"
+#include "vulkan/pipeline_cache.h"
 
 namespace laver {
 
@@ -26,13 +29,14 @@ class Device {
   const VkPhysicalDeviceLimits& limits() const { return info_.limits; }
   const std::string& name() const { return info_.name; }
   const std::string& driver() const { return info_.driver; }
+  VkPipelineCache pipelineCache() const { return cache_->get(); }
   std::uint64_t maxAllocation() const { return info_.maxAllocation; }
 
   /// A memory type of `bits` with all of `flags`, or -1.
   int memoryType(std::uint32_t bits, VkMemoryPropertyFlags flags) const;
   VkMemoryPropertyFlags memoryFlags(std::uint32_t type) const;
 
-  /// Records commands, submits them and waits for their end. Not for two threads at once.
+  /// Records commands, submits them and waits for their end. Threads take turns.
   void run(const std::function<void(VkCommandBuffer)>& record) const;
 
   /// Throws Error(Device) naming the limit, what was asked and what the device has.
@@ -44,7 +48,9 @@ class Device {
   VkQueue queue_ = VK_NULL_HANDLE;
   Handle<VkCommandPool> pool_;
   Handle<VkFence> fence_;
+  std::optional<PipelineCache> cache_;
   VkCommandBuffer commands_ = VK_NULL_HANDLE;
+  mutable std::mutex running_;
 };
 
 }  // namespace laver

@@ -40,8 +40,9 @@ Kernel::Kernel(const Device& device, const Bindings& bindings, const std::string
   info.stage.pSpecializationInfo = &specialisation;
   info.layout = layout;
   VkPipeline pipeline = VK_NULL_HANDLE;
-  check(vkCreateComputePipelines(device.get(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
-        "vkCreateComputePipelines");
+  check(
+      vkCreateComputePipelines(device.get(), device.pipelineCache(), 1, &info, nullptr, &pipeline),
+      "vkCreateComputePipelines");
   pipeline_ = {device.get(), pipeline, vkDestroyPipeline};
 }
 

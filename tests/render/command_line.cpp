@@ -145,6 +145,16 @@ TEST_F(CommandLine, CompareDrawsTheDifference) {
   EXPECT_EQ(lines(noFolder.err), 1) << noFolder.err;
 }
 
+TEST_F(CommandLine, NeedsNoFolderToKeepKernelsIn) {
+  write("scene.xml", "<scene><integrator type=\"normals\"/><camera type=\"perspective\"/></scene>");
+  for (const char* variables : {"env -u HOME -u XDG_CACHE_HOME",
+                                "MESA_SHADER_CACHE_DISABLE=true XDG_CACHE_HOME=/proc/none"}) {
+    const Outcome run = laver("scene.xml --device cpu -q --size 8x8", variables);
+    EXPECT_EQ(run.code, 0) << variables;
+    EXPECT_EQ(run.err, "") << variables;
+  }
+}
+
 TEST_F(CommandLine, DevicesListsTheCpuAndItsLimits) {
   const Outcome run = laver("devices");
   EXPECT_EQ(run.code, 0) << run.err;

@@ -22,7 +22,7 @@ TEST(Device, AnUnknownNameIsAnErrorThatListsWhatThereIs) {
   VulkanOptions vulkan;
   vulkan.device = "no such device";
   try {
-    const Renderer renderer(vulkan);
+    render(Scene{}, vulkan);
     FAIL() << "accepted";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ExitCode::Device);
@@ -38,7 +38,7 @@ TEST(Device, AnUnknownTraversalIsAUsageError) {
   VulkanOptions vulkan = cpuDevice();
   vulkan.traversal = "magic";
   try {
-    const Renderer renderer(vulkan);
+    render(Scene{}, vulkan);
     FAIL() << "accepted";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ExitCode::Usage);

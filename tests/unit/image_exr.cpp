@@ -65,6 +65,23 @@ TEST(Exr, KeepsEveryBitOfEveryKindOfFloat) {
   EXPECT_EQ(bits(back.pixels), bits(image.pixels));
 }
 
+TEST(Exr, KeepsEveryBitAcrossChunksAndThreads) {
+  // Smooth rows that deflate, and noise that does not and is stored; the last chunk is cut short.
+  const Folder folder;
+  Image image = rgbImage(37, 1500);
+  std::uint32_t noise = 1;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    noise = noise * 1664525 + 1013904223;
+    const bool smooth = i / (37 * 3) / 64 % 2 == 0;
+    image.pixels[i] =
+        smooth ? static_cast<float>(i / 300) : std::bit_cast<float>(noise ^ noise >> 13);
+  }
+  for (const unsigned threads : {1U, 3U}) {
+    writeExr(folder.file("a.exr"), image, {}, threads);
+    EXPECT_EQ(bits(readExr(folder.file("a.exr")).pixels), bits(image.pixels)) << threads;
+  }
+}
+
 TEST(Exr, PutsTheFirstRowOfPixelsAtTheTop) {
   const Folder folder;
   Image image = rgbImage(3, 2);

@@ -2,8 +2,10 @@
 #include <png.h>
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <string>
 #include <vector>
@@ -52,6 +54,27 @@ TEST(Srgb, InvertsTheDecodingOfEveryByte) {
   }
 }
 
+TEST(Srgb, TheTableEqualsTheFormula) {
+  const SrgbTable& table = SrgbTable::shared();
+  // Every 509th float from below 2^-13 to above 1 (a prime: it meets all low bits), and all around
+  // each step of the curve.
+  std::uint32_t steps = 0;
+  const std::uint32_t end = std::bit_cast<std::uint32_t>(1.25f);
+  for (std::uint32_t bits = std::bit_cast<std::uint32_t>(1e-4f); bits < end; bits += 509) {
+    const auto x = std::bit_cast<float>(bits);
+    ASSERT_EQ(table(x), srgb8(x)) << x;
+    if (srgb8(x) == srgb8(std::bit_cast<float>(bits + 509))) continue;
+    ++steps;
+    for (std::uint32_t near = bits; near < bits + 509; ++near)
+      ASSERT_EQ(table(std::bit_cast<float>(near)), srgb8(std::bit_cast<float>(near))) << near;
+  }
+  EXPECT_EQ(steps, 255U);
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  for (const float x : {-infinity, -1.0f, -0.0f, 0.0f, 1e-40f, 3e38f, infinity,
+                        std::numeric_limits<float>::quiet_NaN()})
+    EXPECT_EQ(table(x), srgb8(x)) << x;
+}
+
 TEST(Png, HoldsTheBytesRowByRowFromTheTop) {
   const Folder folder;
   Image image;
@@ -96,6 +119,31 @@ TEST(Png, RefusesWhatIsNoRgbPicture) {
   expectError(ExitCode::Output, "cannot write",
               [&] { writePng(folder.file("a.png"), rgbImage(1000001, 1)); });  // libpng's limit
   EXPECT_EQ(folder.size(), 0u);
+}
+
+TEST(Png, KeepsEveryByteOfEveryKindOfRow) {
+  // Noise, runs, ramps and rows like the one above: all of libpng's filters are chosen.
+  const Folder folder;
+  Bitmap bitmap(301, 200, {});
+  std::uint32_t noise = 1;
+  for (std::size_t i = 0; i < bitmap.pixels.size(); ++i)
+    for (std::uint8_t& c : bitmap.pixels[i]) {
+      noise = noise * 1664525 + 1013904223;
+      const std::size_t row = i / 301, kind = row / 40;
+      c = static_cast<std::uint8_t>(kind == 0   ? noise >> 24
+                                    : kind == 1 ? 7
+                                    : kind == 2 ? i
+                                    : kind == 3 ? i % 301 * 3 + row
+                                                : (i % 301) * (i % 301));
+    }
+  writePng(folder.file("a.png"), bitmap);
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  ASSERT_NE(png_image_begin_read_from_file(&png, folder.file("a.png").c_str()), 0);
+  std::vector<std::uint8_t> bytes(PNG_IMAGE_SIZE(png));
+  ASSERT_NE(png_image_finish_read(&png, nullptr, bytes.data(), 0, nullptr), 0);
+  ASSERT_EQ(bytes.size(), bitmap.pixels.size() * 3);
+  EXPECT_EQ(std::memcmp(bytes.data(), bitmap.pixels.data(), bytes.size()), 0);
 }
 
 }  // namespace

@@ -52,7 +52,8 @@ TEST(SamplerTables, EveryLevelReachesTheSamplesOwnNumber) {
     Scene scene;
     scene.sampler.sampleCount = samples;
     SceneData data;
-    packSampler(scene, false, data);
+    data.constants[shared::SPEC_JUMP_LEVELS] = jumpLevels(samples);
+    packSampler(scene, data);
     EXPECT_EQ(data.constants[shared::SPEC_JUMP_LEVELS], samples == 1      ? 1U
                                                         : samples <= 1024 ? 2U
                                                                           : 3U);

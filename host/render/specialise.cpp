@@ -1,0 +1,62 @@
+#include "render/specialise.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/sampler_data.h"
+
+namespace laver {
+namespace {
+
+/// Entries that suffice for meshes of tens of thousands to a million triangles (48 to 63).
+constexpr std::uint32_t kLikelyStack = 64;
+
+std::uint32_t filterConstant(Filter::Kind kind) {
+  switch (kind) {
+    case Filter::Kind::Gaussian:
+      return shared::FILTER_GAUSSIAN;
+    case Filter::Kind::Mitchell:
+      return shared::FILTER_MITCHELL;
+    case Filter::Kind::Tent:
+      return shared::FILTER_TENT;
+    case Filter::Kind::Box:
+      break;
+  }
+  return shared::FILTER_BOX;
+}
+
+}  // namespace
+
+SpecConstants specialise(const Scene& scene, const RenderOptions& options, bool generic) {
+  const auto& meshes = scene.meshes;
+  const bool shaded = scene.integrator == Integrator::DirectWhitted;
+  const bool normals =
+      scene.integrator != Integrator::Depth &&
+      std::any_of(meshes.begin(), meshes.end(), [](const Mesh& m) { return !m.normals.empty(); });
+  const bool albedos = shaded && std::any_of(meshes.begin(), meshes.end(), [&](const Mesh& m) {
+                         return m.bsdf.albedo != meshes.front().bsdf.albedo;
+                       });
+  SpecConstants constants{};
+  constants[shared::SPEC_STACK] = kLikelyStack;
+  constants[shared::SPEC_NORMALS] = normals || generic ? 1 : 0;
+  constants[shared::SPEC_ALBEDOS] = albedos || generic ? 1 : 0;
+  constants[shared::SPEC_LIGHTS] = (shaded && !scene.lights.empty()) || generic ? 1 : 0;
+  constants[shared::SPEC_JUMP_LEVELS] = generic ? 3 : jumpLevels(scene.sampler.sampleCount);
+  constants[shared::SPEC_FILTER] = filterConstant(scene.filter.kind);
+  constants[shared::SPEC_APRON] = apronOf(scene.filter.radius);
+  constants[shared::SPEC_NORI_TABLE] = options.noriCompat ? 1 : 0;
+  return constants;
+}
+
+bool requireStack(SpecConstants& constants, std::uint32_t entries) {
+  if (entries <= constants[shared::SPEC_STACK]) return false;
+  // Rounded up, so that scenes alike in size share a compiled kernel.
+  constants[shared::SPEC_STACK] = (entries + 15) / 16 * 16;
+  return true;
+}
+
+std::uint32_t apronOf(double radius) {
+  return static_cast<std::uint32_t>(std::floor(radius + 0.5));
+}
+
+}  // namespace laver

@@ -1,0 +1,25 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "scene/render_options.h"
+#include "scene/scene.h"
+#include "shared/layout.h"
+
+namespace laver {
+
+/// What the kernels leave out because the scene does not need it: values of SPEC_*.
+using SpecConstants = std::array<std::uint32_t, shared::SPEC_CONSTANTS>;
+
+/// The constants of a scene, which take no time and no tree, so that its kernels can be compiled
+/// while the tree is built. The stack is a guess; requireStack corrects it. With `generic` the
+/// kernels are not specialised to the scene: for tests, which show that the picture keeps its bits.
+SpecConstants specialise(const Scene& scene, const RenderOptions& options, bool generic = false);
+
+/// Makes room for `entries` on the traversal stack; true if there was less.
+bool requireStack(SpecConstants& constants, std::uint32_t entries);
+
+/// Pixels on each side of a sample's own that a filter of that radius can reach.
+std::uint32_t apronOf(double radius);
+
+}  // namespace laver

@@ -1,0 +1,22 @@
+#pragma once
+#include <memory>
+#include <string>
+
+#include "render/renderer.h"
+#include "vulkan/device.h"
+
+namespace laver {
+
+/// A device that is ready.
+struct StartedVulkan {
+  explicit StartedVulkan(const VulkanOptions& options);
+  Instance instance;
+  Device device;
+  std::string traversal;  ///< the one asked for, or the faster one
+  double seconds = 0;     ///< that the start took
+};
+
+/// Throws Error(Device), and Error(Usage) for an unknown traversal.
+std::unique_ptr<StartedVulkan> startVulkan(const VulkanOptions& options);
+
+}  // namespace laver

@@ -1,0 +1,108 @@
+#include "vulkan/cache_file.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "core/error.h"
+#include "image/atomic_file.h"
+
+namespace laver {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the file begins with. Files do not travel between machines: numbers are in native order.
+struct Preface {
+  char magic[8] = {'l', 'a', 'v', 'e', 'r', 'p', 'c', '1'};
+  std::uint64_t size = 0;  ///< of the data that follow, bytes
+  std::uint64_t checksum = 0;
+};
+static_assert(sizeof(Preface) == 24);
+
+/// Larger caches are begun anew.
+constexpr std::uint64_t kMostBytes = std::uint64_t{64} << 20;
+
+/// FNV-1a with 64 bits (Fowler, Noll, Vo).
+std::uint64_t checksum(std::span<const std::byte> data) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (const std::byte b : data) hash = (hash ^ static_cast<std::uint64_t>(b)) * 0x100000001b3ULL;
+  return hash;
+}
+
+std::string absolute(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value != nullptr && value[0] == '/' ? value : "";
+}
+
+/// As Vulkan's "Pipeline Cache Header" has it: a driver need not look.
+bool isOf(const VkPhysicalDeviceProperties& device, std::span<const std::byte> data) {
+  VkPipelineCacheHeaderVersionOne header;
+  if (data.size() < sizeof header) return false;
+  std::memcpy(&header, data.data(), sizeof header);
+  return header.headerSize >= sizeof header &&
+         header.headerVersion == VK_PIPELINE_CACHE_HEADER_VERSION_ONE &&
+         header.vendorID == device.vendorID && header.deviceID == device.deviceID &&
+         std::memcmp(header.pipelineCacheUUID, device.pipelineCacheUUID, VK_UUID_SIZE) == 0;
+}
+
+}  // namespace
+
+std::string cacheFolder() {
+  if (const std::string base = absolute("XDG_CACHE_HOME"); !base.empty()) return base + "/laver";
+  const std::string home = absolute("HOME");
+  return home.empty() ? "" : home + "/.cache/laver";
+}
+
+CacheFile::CacheFile(const std::string& folder, const VkPhysicalDeviceProperties& device)
+    : device_(device) {
+  if (folder.empty()) return;
+  path_ = fmt::format("{}/{:08x}-{:08x}-{:08x}-", folder, device.vendorID, device.deviceID,
+                      device.driverVersion);
+  for (const std::uint8_t byte : device.pipelineCacheUUID) path_ += fmt::format("{:02x}", byte);
+  path_ += ".pipelines";
+}
+
+std::vector<std::byte> CacheFile::read() const {
+  std::error_code error;
+  if (path_.empty() || !fs::is_regular_file(path_, error)) return {};
+  std::ifstream file(path_, std::ios::binary);
+  const Preface wanted;
+  Preface preface;
+  if (!file.read(reinterpret_cast<char*>(&preface), sizeof preface) ||
+      std::memcmp(preface.magic, wanted.magic, sizeof wanted.magic) != 0 ||
+      preface.size > kMostBytes || fs::file_size(path_, error) != sizeof preface + preface.size)
+    return {};
+  std::vector<std::byte> data(preface.size);
+  if (!file.read(reinterpret_cast<char*>(data.data()), static_cast<std::streamsize>(data.size())) ||
+      checksum(data) != preface.checksum || !isOf(device_, data))
+    return {};
+  return data;
+}
+
+void CacheFile::write(std::span<const std::byte> data) const {
+  if (path_.empty() || data.size() > kMostBytes || !isOf(device_, data) ||
+      data.size() <= sizeof(VkPipelineCacheHeaderVersionOne))
+    return;
+  const fs::path folder = fs::path(path_).parent_path();
+  std::error_code error;
+  fs::create_directories(folder.parent_path(), error);
+  static_cast<void>(::mkdir(folder.c_str(), 0700));  // may be there
+  Preface preface;
+  preface.size = data.size();
+  preface.checksum = checksum(data);
+  try {
+    AtomicFile file(path_);
+    file.write(std::as_bytes(std::span(&preface, 1)));
+    file.write(data);
+    file.commit();
+  } catch (const Error&) {
+  }
+}
+
+}  // namespace laver
