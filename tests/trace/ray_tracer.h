@@ -36,7 +36,7 @@ class RayTracer {
   std::vector<TestHit> closest(std::span<const TestRay> rays);
 
   /// 1 for each point with nothing between it and the light, else 0. Points count as they are:
-  /// those of a surface are moved off it by the caller.
+  /// those of a surface are moved off it by the caller. A point whose x is NaN is not traced: 0.
   std::vector<std::uint32_t> visible(glm::vec3 light, std::span<const glm::vec3> points);
 
   /// Of the latest call: seconds of dispatches alone, transfers left out, and invocations that ran

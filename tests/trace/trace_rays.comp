@@ -27,12 +27,14 @@ void main() {
   vec3 points[R];
   bool live[R], seen[R];
   FOR_RAYS (uint r = 0u; r < R; ++r) {
-    live[r] = numberOf(r) < pass.region.x;
-    points[r] = texelVec3(texelFetch(inputTexels, int(live[r] ? numberOf(r) : 0u)));
+    const bool given = numberOf(r) < pass.region.x;
+    const uvec4 point = texelFetch(inputTexels, int(given ? numberOf(r) : 0u));
+    points[r] = texelVec3(point);
+    live[r] = given && (point.x & 0x7fffffffu) <= 0x7f800000u;
   }
   visible(uintBitsToFloat(pass.core.xyz), points, live, seen);
   FOR_RAYS (uint r = 0u; r < R; ++r)
-    if (live[r]) seenOf[numberOf(r)] = seen[r] ? 1u : 0u;
+    if (numberOf(r) < pass.region.x) seenOf[numberOf(r)] = seen[r] ? 1u : 0u;
   if (incomplete) atomicAdd(status.incomplete, 1u);
 }
 #else

@@ -1,0 +1,60 @@
+#pragma once
+#include <embree3/rtcore.h>
+
+#include <vector>
+
+#include "render/scene_data.h"
+
+namespace laver::bench {
+
+/// How Embree is called.
+struct EmbreeCall {
+  RTCScene scene;
+  int width = 16;         ///< rays a call: 1, 8 or 16
+  bool together = false;  ///< packets hold samples of one pixel instead of one of 4 x 4 pixels
+};
+
+/// A whole pass on Embree's side: the same samples as laver's, camera rays, nearest hits, and
+/// either depth or direct light with a shadow ray, stored as r, g, b and the sample's place in its
+/// pixel. All but the calls is written in loops of 16 that the compiler turns into vectors.
+class EmbreePass {
+ public:
+  struct Result {
+    double seconds = 0;
+    double outside = 0;  ///< share of the threads' time outside rtc calls, where asked for
+    std::uint64_t hits = 0, shadowRays = 0;
+  };
+
+  /// Of a scene packed for `depth` or `direct_whitted` with one light, one albedo, no vertex
+  /// normals and a film of whole 32 x 4 pixels. At most `samples` a pixel in one pass. Throws
+  /// Error.
+  EmbreePass(const SceneData& data, std::uint32_t samples);
+
+  /// Samples [first, first + count) of each pixel. `clocked` reads a clock around each call.
+  Result run(const EmbreeCall& call, std::uint32_t first, std::uint32_t count, unsigned threads,
+             bool clocked = false);
+
+  /// Adds the latest pass, of `count` samples, to rgb sums in rows of pixels.
+  void addTo(std::vector<float>& image, const EmbreeCall& call, std::uint32_t count) const;
+
+ private:
+  struct Chunk;
+  struct Block;
+  struct Clock;
+  void traceBlock(const EmbreeCall& call, Block block, Chunk& chunk, Clock& clock, Result& result);
+  void generate(const Block& block, std::size_t first, std::uint32_t sample, bool together,
+                Chunk& chunk) const;
+  void shade(const EmbreeCall& call, Chunk& chunk, Clock& clock, Result& result) const;
+
+  shared::Params params_;
+  shared::Light light_{};
+  bool shadows_;
+  std::uint64_t seed_;
+  // Of the pixels of a 32 x 32 block, 4 x 4 at a time: place, and jump of the random stream.
+  std::vector<float> pixelX_, pixelY_;
+  std::vector<std::uint64_t> pixelMultiplier_, pixelIncrements_;
+  std::vector<std::uint64_t> sampleMultiplier_, sampleIncrements_;
+  std::vector<float> red_, green_, blue_, insideX_, insideY_;
+};
+
+}  // namespace laver::bench
