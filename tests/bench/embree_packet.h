@@ -7,11 +7,20 @@
 
 namespace laver::bench {
 
-/// As Embree's manual asks of every thread that traces.
-inline void flushDenormals() {
-  _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
-  _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
-}
+/// Denormals count as zero in this thread, as Embree's manual asks, until the end of the scope.
+class FlushDenormals {
+ public:
+  FlushDenormals() {
+    _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
+    _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
+  }
+  ~FlushDenormals() { _mm_setcsr(before_); }
+  FlushDenormals(const FlushDenormals&) = delete;
+  FlushDenormals& operator=(const FlushDenormals&) = delete;
+
+ private:
+  unsigned before_ = _mm_getcsr();
+};
 
 inline RTCIntersectContext contextOf(bool coherent) {
   RTCIntersectContext context;

@@ -38,6 +38,10 @@ class EmbreePass {
   void addTo(std::vector<float>& image, const EmbreeCall& call, std::uint32_t count) const;
 
  private:
+  /// What a pass leaves of 16 samples.
+  struct alignas(64) Stored {
+    float red[16], green[16], blue[16], x[16], y[16];
+  };
   struct Chunk;
   struct Block;
   struct Clock;
@@ -54,7 +58,7 @@ class EmbreePass {
   std::vector<float> pixelX_, pixelY_;
   std::vector<std::uint64_t> pixelMultiplier_, pixelIncrements_;
   std::vector<std::uint64_t> sampleMultiplier_, sampleIncrements_;
-  std::vector<float> red_, green_, blue_, insideX_, insideY_;
+  std::vector<Stored> stored_;
 };
 
 }  // namespace laver::bench

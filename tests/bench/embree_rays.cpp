@@ -17,7 +17,7 @@ double inThreads(std::size_t count, unsigned threads, const Part& part) {
   constexpr std::size_t kGrain = 64;
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
-    flushDenormals();
+    const FlushDenormals flush;
     for (std::size_t i = next.fetch_add(kGrain); i < count; i = next.fetch_add(kGrain))
       part(i, std::min(count, i + kGrain));
   };

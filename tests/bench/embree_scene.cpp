@@ -33,7 +33,7 @@ EmbreeDevice::EmbreeDevice(const std::string& config) {
   std::smatch match;
   const auto version = rtcGetDeviceProperty(device_, RTC_DEVICE_PROPERTY_VERSION);
   description_ = fmt::format("{}.{}.{}", version / 10000, version / 100 % 100, version % 100);
-  if (std::regex_search(text, match, std::regex("ISA *: *([A-Z0-9.]+)")))
+  if (std::regex_search(text, match, std::regex("Targets *: .*?([A-Z0-9.]+) +\\(supported")))
     description_ += ", " + match[1].str();
   description_ += ", native packets of";
   for (const auto& [property, width] :
