@@ -6,6 +6,8 @@
 
 namespace laver::bench {
 
+inline constexpr int kBlock = 32;
+
 /// Embree leaves alone what all rays have in common.
 struct EmbreePass::Chunk {
   explicit Chunk(const shared::Params& params) {
@@ -27,10 +29,15 @@ struct EmbreePass::Chunk {
 };
 
 struct EmbreePass::Block {
-  int x, y;
-  std::size_t pixels;  ///< whole rows of 32
-  std::size_t slot;    ///< of its first 16 samples
+  int x, y, rows;
+  std::size_t slot;  ///< of its first 16 samples
   std::uint32_t first, count;
+};
+
+/// How the lanes of a packet differ from its first pixel and sample: place, and jump of the stream.
+struct EmbreePass::Lanes {
+  alignas(64) float x[16], y[16];
+  alignas(64) std::uint64_t multiplier[16], increments[16];
 };
 
 /// Cycles inside rtc calls, less those that reading the counter takes.

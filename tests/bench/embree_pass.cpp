@@ -3,30 +3,25 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <memory>
 #include <thread>
 
 #include "bench/embree_chunk.h"
 #include "core/error.h"
-#include "render/sampler_data.h"
 
 namespace laver::bench {
 namespace {
 
-constexpr int kBlock = 32;
-
-/// Past the caches where a pass is larger than they are.
+/// Past the caches: nothing reads it soon, and lines need not be fetched to be overwritten.
 template <class T>
-void store(const T& from, T& to, bool past) {
-  if (!past) {
-    to = from;
-    return;
-  }
+void store(const T& from, T& to) {
   const auto* const in = reinterpret_cast<const float*>(&from);
   auto* const out = reinterpret_cast<float*>(&to);
   for (std::size_t i = 0; i < sizeof(T) / sizeof(float); i += 8)
     _mm256_stream_ps(out + i, _mm256_load_ps(in + i));
 }
+
+/// Pixel i of a block that is walked 4 x 4 pixels at a time.
+glm::ivec2 placeInBlock(int i) { return {i / 16 % 8 * 4 + i % 4, i / 16 / 8 * 4 + i / 4 % 4}; }
 
 }  // namespace
 
@@ -43,18 +38,8 @@ EmbreePass::EmbreePass(const SceneData& data, std::uint32_t samples)
   // As host/render/sampler_data.cpp numbers Nori's stream: four numbers a sample, and one step
   // that ends the seeding.
   const std::uint64_t perPixel = 4 * std::uint64_t{params_.film.z};
-  for (int i = 0; i < kBlock * kBlock; ++i) {
-    const int tile = i / 16, x = tile % 8 * 4 + i % 4, y = tile / 8 * 4 + i / 4 % 4;
-    const PcgJump jump = pcgJump(1 + perPixel * static_cast<std::uint64_t>(y * kBlock + x));
-    pixelX_.push_back(static_cast<float>(x));
-    pixelY_.push_back(static_cast<float>(y));
-    pixelMultiplier_.push_back(jump.multiplier);
-    pixelIncrements_.push_back(jump.increments);
-  }
-  for (std::uint32_t s = 0; s < params_.film.z; ++s) {
-    sampleMultiplier_.push_back(pcgJump(4 * std::uint64_t{s}).multiplier);
-    sampleIncrements_.push_back(pcgJump(4 * std::uint64_t{s}).increments);
-  }
+  for (std::uint64_t i = 0; i < kBlock * kBlock; ++i) pixels_.push_back(pcgJump(1 + perPixel * i));
+  for (std::uint64_t i = 0; i < params_.film.z; ++i) samples_.push_back(pcgJump(4 * i));
   stored_.resize(std::size_t{width} * height * samples / 16);
 }
 
@@ -65,18 +50,18 @@ EmbreePass::Result EmbreePass::run(const EmbreeCall& call, std::uint32_t first, 
   for (int y = 0; y < height; y += kBlock)
     for (int x = 0; x < width; x += kBlock) {
       const int rows = std::min(kBlock, height - y);
-      blocks.push_back({x, y, static_cast<std::size_t>(rows * kBlock),
-                        static_cast<std::size_t>(y * width + x * rows) / 16 * count, first, count});
+      blocks.push_back(
+          {x, y, rows, static_cast<std::size_t>(y * width + x * rows) / 16 * count, first, count});
     }
   std::atomic<std::size_t> next{0};
   std::vector<Result> results(threads);
   const auto work = [&](Result& result) {
     const FlushDenormals flush;
-    const auto chunk = std::make_unique<Chunk>(params_);
+    Chunk chunk(params_);
     Clock clock{clocked};
     const std::uint64_t start = __rdtsc();
     for (std::size_t i = next++; i < blocks.size(); i = next++)
-      traceBlock(call, blocks[i], *chunk, clock, result);
+      traceBlock(call, blocks[i], chunk, clock, result);
     auto total = static_cast<double>(__rdtsc() - start);
     std::uint64_t read = ~0ULL;  // what one pair of readings takes
     for (int i = 0; i < 1000; ++i) {
@@ -102,36 +87,66 @@ EmbreePass::Result EmbreePass::run(const EmbreeCall& call, std::uint32_t first, 
   return sum;
 }
 
+EmbreePass::Lanes EmbreePass::lanesOf(bool together, std::size_t sample) const {
+  Lanes lanes;
+  const std::uint64_t perPixel = 4 * std::uint64_t{params_.film.z};
+  for (std::uint64_t i = 0; i < 16; ++i) {
+    const std::uint64_t x = together ? 0 : i % 4, y = together ? 0 : i / 4;
+    const PcgJump jump = together ? samples_[sample + i] : pcgJump(perPixel * (y * kBlock + x));
+    lanes.x[i] = static_cast<float>(x);
+    lanes.y[i] = static_cast<float>(y);
+    lanes.multiplier[i] = jump.multiplier;
+    lanes.increments[i] = jump.increments;
+  }
+  return lanes;
+}
+
+void EmbreePass::trace(const EmbreeCall& call, Chunk& c, Clock& clock, Result& result) const {
+  RTCIntersectContext context = contextOf(true);
+  std::uint64_t since = clock.now();
+  intersect(call.scene, call.width, context, c.all, c.rays);
+  clock.add(since);
+  int hits = 0;
+  for (int i = 0; i < 16; ++i) hits += c.rays.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID ? 1 : 0;
+  result.hits += static_cast<std::uint64_t>(hits);
+  if (!shadows_) {
+    shadeDepth(c);
+    return;
+  }
+  const int shadows = aimAtLight(c);
+  result.shadowRays += static_cast<std::uint64_t>(shadows);
+  since = clock.now();
+  if (shadows > 0) occluded(call.scene, call.width, context, c.live, c.shadow);
+  clock.add(since);
+  shadeLight(c);
+}
+
 void EmbreePass::traceBlock(const EmbreeCall& call, Block block, Chunk& c, Clock& clock,
                             Result& result) {
-  const std::size_t pixels = call.together ? 1 : 16, samples = call.together ? 16 : 1;
-  for (std::size_t pixel = 0; pixel < block.pixels; pixel += pixels) {
-    for (std::size_t s = 0; s < block.count; s += samples) {
-      generate(block, pixel, block.first + static_cast<std::uint32_t>(s), call.together, c);
-      RTCIntersectContext context = contextOf(true);
-      const std::uint64_t since = clock.now();
-      intersect(call.scene, call.width, context, c.all, c.rays);
-      clock.add(since);
-      shade(call, c, clock, result);
-      store(c.out, stored_[block.slot++], block.count > 1);
+  const Lanes lanes = lanesOf(call.together, block.first);
+  for (int pixel = 0; pixel < block.rows * kBlock; pixel += call.together ? 1 : 16) {
+    const glm::ivec2 at = placeInBlock(pixel);
+    for (std::size_t s = block.first; s < block.first + block.count; s += call.together ? 16 : 1) {
+      // Of samples together, the lanes jump from the first.
+      generate(block, at.x, at.y, call.together ? 0 : s, lanes, c);
+      trace(call, c, clock, result);
+      store(c.out, stored_[block.slot++]);
     }
   }
 }
 
 void EmbreePass::addTo(std::vector<float>& image, const EmbreeCall& call,
                        std::uint32_t count) const {
-  const std::size_t width = params_.film.x, height = params_.film.y;
-  image.resize(width * height * 3);
+  const int width = static_cast<int>(params_.film.x), height = static_cast<int>(params_.film.y);
+  image.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
   std::size_t slot = 0;
-  for (std::size_t y = 0; y < height; y += kBlock)
-    for (std::size_t x = 0; x < width; x += kBlock)
-      for (std::size_t first = 0; first < std::min<std::size_t>(kBlock, height - y) * kBlock;
-           first += 16)
-        for (std::size_t i = 0; i < std::size_t{16} * count; ++i, ++slot) {
-          const std::size_t pixel = first + (call.together ? i / count : i % 16);
-          const std::size_t at = ((y + static_cast<std::size_t>(pixelY_[pixel])) * width + x +
-                                  static_cast<std::size_t>(pixelX_[pixel])) *
-                                 3;
+  for (int y = 0; y < height; y += kBlock)
+    for (int x = 0; x < width; x += kBlock)
+      for (int first = 0; first < std::min(kBlock, height - y) * kBlock; first += 16)
+        for (int i = 0; i < 16 * static_cast<int>(count); ++i, ++slot) {
+          const int lane = call.together ? i / static_cast<int>(count) : i % 16;
+          const glm::ivec2 place = placeInBlock(first + lane);
+          const auto at = static_cast<std::size_t>((y + place.y) * width + x + place.x) * 3;
           image[at] += stored_[slot / 16].red[slot % 16];
           image[at + 1] += stored_[slot / 16].green[slot % 16];
           image[at + 2] += stored_[slot / 16].blue[slot % 16];

@@ -3,14 +3,14 @@
 
 #include <vector>
 
-#include "render/scene_data.h"
+#include "render/sampler_data.h"
 
 namespace laver::bench {
 
 /// How Embree is called.
 struct EmbreeCall {
   RTCScene scene;
-  int width = 16;         ///< rays a call: 1, 8 or 16
+  int width = 16;         ///< rays a call: 1, 8 or 16; 0: no calls, nothing is hit
   bool together = false;  ///< packets hold samples of one pixel instead of one of 4 x 4 pixels
 };
 
@@ -44,20 +44,23 @@ class EmbreePass {
   };
   struct Chunk;
   struct Block;
+  struct Lanes;
   struct Clock;
   void traceBlock(const EmbreeCall& call, Block block, Chunk& chunk, Clock& clock, Result& result);
-  void generate(const Block& block, std::size_t first, std::uint32_t sample, bool together,
+  void generate(const Block& block, int x, int y, std::size_t sample, const Lanes& lanes,
                 Chunk& chunk) const;
-  void shade(const EmbreeCall& call, Chunk& chunk, Clock& clock, Result& result) const;
+  Lanes lanesOf(bool together, std::size_t sample) const;
+  void shadeDepth(Chunk& chunk) const;
+  int aimAtLight(Chunk& chunk) const;
+  void shadeLight(Chunk& chunk) const;
+  void trace(const EmbreeCall& call, Chunk& chunk, Clock& clock, Result& result) const;
 
   shared::Params params_;
   shared::Light light_{};
   bool shadows_;
   std::uint64_t seed_;
-  // Of the pixels of a 32 x 32 block, 4 x 4 at a time: place, and jump of the random stream.
-  std::vector<float> pixelX_, pixelY_;
-  std::vector<std::uint64_t> pixelMultiplier_, pixelIncrements_;
-  std::vector<std::uint64_t> sampleMultiplier_, sampleIncrements_;
+  // Jumps of the random stream from a 32 x 32 block's start, by pixel and by sample.
+  std::vector<PcgJump> pixels_, samples_;
   std::vector<Stored> stored_;
 };
 

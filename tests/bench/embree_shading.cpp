@@ -22,68 +22,53 @@ float unitFloat(std::uint64_t state) {
 
 }  // namespace
 
-void EmbreePass::generate(const Block& block, std::size_t first, std::uint32_t sample,
-                          bool together, Chunk& c) const {
+void EmbreePass::generate(const Block& block, int x, int y, std::size_t sample, const Lanes& lanes,
+                          Chunk& c) const {
   const std::uint64_t sequence = seed_ + static_cast<std::uint64_t>(block.y);
   const std::uint64_t inc = sequence << 1 | 1U;
-  const std::uint64_t begin = inc + seed_ + static_cast<std::uint64_t>(block.x);
+  const PcgJump byPixel = pixels_[static_cast<std::size_t>(y * kBlock + x)];
+  const PcgJump bySample = samples_[sample];
+  std::uint64_t first = inc + seed_ + static_cast<std::uint64_t>(block.x);
+  first = byPixel.multiplier * first + byPixel.increments * inc;
+  first = bySample.multiplier * first + bySample.increments * inc;
+  const float x0 = static_cast<float>(block.x + x), y0 = static_cast<float>(block.y + y);
   alignas(64) std::uint64_t state[16];
-  alignas(64) float px[16], py[16];
-  const float x0 = static_cast<float>(block.x), y0 = static_cast<float>(block.y);
-  if (together) {
-    const std::uint64_t pixel = pixelMultiplier_[first] * begin + pixelIncrements_[first] * inc;
-    const std::uint64_t* const m = &sampleMultiplier_[sample];
-    const std::uint64_t* const s = &sampleIncrements_[sample];
-    for (int i = 0; i < 16; ++i) state[i] = m[i] * pixel + s[i] * inc;
-    for (int i = 0; i < 16; ++i) px[i] = x0 + pixelX_[first];
-    for (int i = 0; i < 16; ++i) py[i] = y0 + pixelY_[first];
-  } else {
-    const std::uint64_t* const m = &pixelMultiplier_[first];
-    const std::uint64_t* const s = &pixelIncrements_[first];
-    const std::uint64_t byM = sampleMultiplier_[sample], byS = sampleIncrements_[sample] * inc;
-    for (int i = 0; i < 16; ++i) state[i] = m[i] * begin + s[i] * inc;
-    if (sample != 0)
-      for (int i = 0; i < 16; ++i) state[i] = byM * state[i] + byS;
-    const float* const x = &pixelX_[first];
-    const float* const y = &pixelY_[first];
-    for (int i = 0; i < 16; ++i) px[i] = x0 + x[i];
-    for (int i = 0; i < 16; ++i) py[i] = y0 + y[i];
-  }
+  for (int i = 0; i < 16; ++i) state[i] = lanes.multiplier[i] * first + lanes.increments[i] * inc;
   RTCRay16& ray = c.rays.ray;
   const float w = static_cast<float>(params_.film.x), h = static_cast<float>(params_.film.y);
   const glm::vec3 X = params_.columnX, Y = params_.columnY, Z = params_.columnZ;
   const float tmax = params_.clip.y;
   for (int i = 0; i < 16; ++i) {
-    const float filmY = py[i] + unitFloat(state[i]);
-    const float filmX = px[i] + unitFloat(state[i] * kMultiplier + inc);
-    c.out.x[i] = filmX - px[i];
-    c.out.y[i] = filmY - py[i];
-    const float x = w - 2.0F * filmX, y = h - 2.0F * filmY;
-    ray.dir_x[i] = X.x * x + Y.x * y + Z.x;
-    ray.dir_y[i] = X.y * x + Y.y * y + Z.y;
-    ray.dir_z[i] = X.z * x + Y.z * y + Z.z;
+    const float px = x0 + lanes.x[i], py = y0 + lanes.y[i];
+    const float filmY = py + unitFloat(state[i]);
+    const float filmX = px + unitFloat(state[i] * kMultiplier + inc);
+    c.out.x[i] = filmX - px;
+    c.out.y[i] = filmY - py;
+    const float u = w - 2.0F * filmX, v = h - 2.0F * filmY;
+    ray.dir_x[i] = X.x * u + Y.x * v + Z.x;
+    ray.dir_y[i] = X.y * u + Y.y * v + Z.y;
+    ray.dir_z[i] = X.z * u + Y.z * v + Z.z;
     ray.tfar[i] = tmax;
     c.rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
   }
 }
 
-void EmbreePass::shade(const EmbreeCall& call, Chunk& c, Clock& clock, Result& result) const {
+void EmbreePass::shadeDepth(Chunk& c) const {
+  const RTCRay16& ray = c.rays.ray;
+  for (int i = 0; i < 16; ++i) {
+    const float length = std::sqrt(ray.dir_x[i] * ray.dir_x[i] + ray.dir_y[i] * ray.dir_y[i] +
+                                   ray.dir_z[i] * ray.dir_z[i]);
+    const float depth = 1.0F / (ray.tfar[i] * length * params_.clip.z);
+    c.out.red[i] = c.rays.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID ? depth : 0.0F;
+    c.out.green[i] = c.out.red[i];
+    c.out.blue[i] = c.out.red[i];
+  }
+}
+
+int EmbreePass::aimAtLight(Chunk& c) const {
   const RTCRay16& ray = c.rays.ray;
   const RTCHit16& hit = c.rays.hit;
-  int hits = 0, shadows = 0;
-  for (int i = 0; i < 16; ++i) hits += hit.geomID[i] != RTC_INVALID_GEOMETRY_ID ? 1 : 0;
-  result.hits += static_cast<std::uint64_t>(hits);
-  if (!shadows_) {
-    for (int i = 0; i < 16; ++i) {
-      const float length = std::sqrt(ray.dir_x[i] * ray.dir_x[i] + ray.dir_y[i] * ray.dir_y[i] +
-                                     ray.dir_z[i] * ray.dir_z[i]);
-      const float depth = 1.0F / (ray.tfar[i] * length * params_.clip.z);
-      c.out.red[i] = hit.geomID[i] != RTC_INVALID_GEOMETRY_ID ? depth : 0.0F;
-      c.out.green[i] = c.out.red[i];
-      c.out.blue[i] = c.out.red[i];
-    }
-    return;
-  }
+  int shadows = 0;
   RTCRay16& to = c.shadow;
   const glm::vec3 light = light_.position;
   for (int i = 0; i < 16; ++i) {
@@ -110,16 +95,13 @@ void EmbreePass::shade(const EmbreeCall& call, Chunk& c, Clock& clock, Result& r
     // Where Embree has no packets of 16 it goes by this, not by the mask.
     to.tfar[i] = live ? 1.0F : -1.0F;
   }
-  result.shadowRays += static_cast<std::uint64_t>(shadows);
-  if (shadows > 0) {
-    RTCIntersectContext context = contextOf(true);
-    const std::uint64_t since = clock.now();
-    occluded(call.scene, call.width, context, c.live, to);
-    clock.add(since);
-  }
+  return shadows;
+}
+
+void EmbreePass::shadeLight(Chunk& c) const {
   const glm::vec3 power = glm::vec3(light_.radiance) * glm::vec3(params_.albedo);
   for (int i = 0; i < 16; ++i) {
-    const float seen = to.tfar[i] >= 0.0F ? c.factor[i] : 0.0F;
+    const float seen = c.shadow.tfar[i] >= 0.0F ? c.factor[i] : 0.0F;
     c.out.red[i] = power.x * seen;
     c.out.green[i] = power.y * seen;
     c.out.blue[i] = power.z * seen;
