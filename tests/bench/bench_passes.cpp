@@ -103,14 +103,14 @@ std::map<std::string, double> comparePasses(Report& report, const EmbreeScenes& 
     }
   }
   for (Side& side : sides) {
-    std::vector<double> outside;
-    for (int i = 0; i < (single ? 3 : 1); ++i)
-      outside.push_back(pass.run(side.call, 0, setup.samples, setup.threads, true).outside);
+    std::vector<double> outside(single ? 3 : 1);
+    for (double& share : outside)
+      share = pass.run(side.call, 0, setup.samples, setup.threads, true).outside;
     side.outside = median(outside);
   }
 
   const bool shadows = setup.integrator == Integrator::DirectWhitted;
-  const double rays = static_cast<double>(pixels * setup.samples + result.shadowRays);
+  const auto rays = static_cast<double>(pixels * setup.samples + result.shadowRays);
   report.section(
       fmt::format("Whole pass: {}, {} sample{}, {}, {} thread{}", setup.name, setup.samples,
                   single ? "" : "s",

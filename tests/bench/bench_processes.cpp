@@ -12,8 +12,6 @@
 #include "bench/scenes.h"
 #include "core/error.h"
 
-extern char** environ;
-
 namespace laver::bench {
 namespace {
 
@@ -21,6 +19,7 @@ namespace {
 double processSeconds(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), LAVER_BINARY);
   std::vector<char*> argv;
+  argv.reserve(arguments.size() + 1);
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
   posix_spawn_file_actions_t actions;

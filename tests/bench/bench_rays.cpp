@@ -33,7 +33,7 @@ class Contest {
     std::map<std::string, double> medians;
     for (const Run& run : runs_) {
       medians[run.name] = median(run.seconds);
-      report.timing(run.name, run.seconds, rays, &run == &runs_[0] ? 0 : medians[runs_[0].name]);
+      report.timing(run.name, run.seconds, rays, &run == runs_.data() ? 0 : medians[runs_[0].name]);
     }
     return medians;
   }

@@ -38,7 +38,8 @@ EmbreePass::EmbreePass(const SceneData& data, std::uint32_t samples)
   // As host/render/sampler_data.cpp numbers Nori's stream: four numbers a sample, and one step
   // that ends the seeding.
   const std::uint64_t perPixel = 4 * std::uint64_t{params_.film.z};
-  for (std::uint64_t i = 0; i < kBlock * kBlock; ++i) pixels_.push_back(pcgJump(1 + perPixel * i));
+  for (std::uint64_t i = 0; i < std::uint64_t{kBlock} * kBlock; ++i)
+    pixels_.push_back(pcgJump(1 + perPixel * i));
   for (std::uint64_t i = 0; i < params_.film.z; ++i) samples_.push_back(pcgJump(4 * i));
   stored_.resize(std::size_t{width} * height * samples / 16);
 }
@@ -107,7 +108,7 @@ void EmbreePass::trace(const EmbreeCall& call, Chunk& c, Clock& clock, Result& r
   intersect(call.scene, call.width, context, c.all, c.rays);
   clock.add(since);
   int hits = 0;
-  for (int i = 0; i < 16; ++i) hits += c.rays.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID ? 1 : 0;
+  for (const unsigned id : c.rays.hit.geomID) hits += id != RTC_INVALID_GEOMETRY_ID ? 1 : 0;
   result.hits += static_cast<std::uint64_t>(hits);
   if (!shadows_) {
     shadeDepth(c);

@@ -26,16 +26,17 @@ void EmbreePass::generate(const Block& block, int x, int y, std::size_t sample, 
                           Chunk& c) const {
   const std::uint64_t sequence = seed_ + static_cast<std::uint64_t>(block.y);
   const std::uint64_t inc = sequence << 1 | 1U;
-  const PcgJump byPixel = pixels_[static_cast<std::size_t>(y * kBlock + x)];
+  const PcgJump byPixel =
+      pixels_[static_cast<std::size_t>(y) * kBlock + static_cast<std::size_t>(x)];
   const PcgJump bySample = samples_[sample];
   std::uint64_t first = inc + seed_ + static_cast<std::uint64_t>(block.x);
   first = byPixel.multiplier * first + byPixel.increments * inc;
   first = bySample.multiplier * first + bySample.increments * inc;
-  const float x0 = static_cast<float>(block.x + x), y0 = static_cast<float>(block.y + y);
+  const auto x0 = static_cast<float>(block.x + x), y0 = static_cast<float>(block.y + y);
   alignas(64) std::uint64_t state[16];
   for (int i = 0; i < 16; ++i) state[i] = lanes.multiplier[i] * first + lanes.increments[i] * inc;
   RTCRay16& ray = c.rays.ray;
-  const float w = static_cast<float>(params_.film.x), h = static_cast<float>(params_.film.y);
+  const auto w = static_cast<float>(params_.film.x), h = static_cast<float>(params_.film.y);
   const glm::vec3 X = params_.columnX, Y = params_.columnY, Z = params_.columnZ;
   const float tmax = params_.clip.y;
   for (int i = 0; i < 16; ++i) {

@@ -16,7 +16,7 @@ std::string plain(const nlohmann::json& facts) {
   std::string out;
   for (const auto& [key, value] : facts.items()) {
     const std::string text = value.is_string()         ? value.get<std::string>()
-                             : value.is_number_float() ? fmt::format("{:.3g}", value.get<double>())
+                             : value.is_number_float() ? fmt::format("{:.4g}", value.get<double>())
                                                        : value.dump();
     out += fmt::format("{}{} {}", out.empty() ? "" : ", ", key, text);
   }

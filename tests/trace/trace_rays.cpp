@@ -88,6 +88,7 @@ TEST_F(TraceRays, PointsAreSeenAsInTheReference) {
   for (const vec3 light :
        {vec3(0.1F, 0.0F, 0.2F), vec3(1.5F, 2.0F, -1.0F), vec3(30.0F, 50.0F, 9.0F)}) {
     std::vector<vec3> points;
+    points.reserve(2009);
     for (int i = 0; i < 2009; ++i) points.push_back(point(1.0F));
     points.back().x = std::numeric_limits<float>::quiet_NaN();
     const auto seen = lane_.visible(light, points);
@@ -109,6 +110,7 @@ TEST_F(TraceRays, PacketsFindTheSameToTheBit) {
   const auto a = lane_.closest(rays), b = packet.closest(rays);
   EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(TestHit)), 0);
   std::vector<vec3> points;
+  points.reserve(4000);
   for (int i = 0; i < 4000; ++i) points.push_back(point(1.0F));
   const vec3 light(1.5F, 2.0F, -1.0F);
   EXPECT_EQ(lane_.visible(light, points), packet.visible(light, points));
