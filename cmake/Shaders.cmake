@@ -1,19 +1,17 @@
-# GLSL -> SPIR-V by glslang, checked by spirv-val, embedded as C++ arrays in laver_shaders.
-file(GLOB LAVER_KERNELS CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/shaders/*.comp)
+# GLSL -> SPIR-V by glslang, checked by spirv-val, embedded as C++ arrays in a library.
+set(LAVER_SHADER_DIR ${CMAKE_CURRENT_SOURCE_DIR}/shaders)
+file(GLOB LAVER_KERNELS CONFIGURE_DEPENDS ${LAVER_SHADER_DIR}/*.comp)
 file(GLOB_RECURSE LAVER_SHADER_HEADERS CONFIGURE_DEPENDS
-  ${CMAKE_CURRENT_SOURCE_DIR}/shaders/*.glsl ${CMAKE_CURRENT_SOURCE_DIR}/shaders/*.h)
+  ${LAVER_SHADER_DIR}/*.glsl ${LAVER_SHADER_DIR}/*.h)
 
 set(LAVER_SPIRV_DIR ${CMAKE_CURRENT_BINARY_DIR}/spirv)
 file(MAKE_DIRECTORY ${LAVER_SPIRV_DIR})
-set(includes "")
-set(entries "")
-set(arrays "")
-# laver_kernel(NAME FILE defines...)
+
+# laver_kernel(NAME FILE defines...): one more kernel for the next laver_kernel_library.
 macro(laver_kernel name kernel)
   set(spirv ${LAVER_SPIRV_DIR}/${name}.spv)
   set(array ${LAVER_SPIRV_DIR}/${name}.inc)
-  set(compile ${LAVER_GLSLANG} --quiet --target-env vulkan1.1
-    -I${CMAKE_CURRENT_SOURCE_DIR}/shaders ${ARGN} ${kernel})
+  set(compile ${LAVER_GLSLANG} --quiet --target-env vulkan1.1 -I${LAVER_SHADER_DIR} ${ARGN} ${kernel})
   add_custom_command(OUTPUT ${spirv} ${array}
     COMMAND ${compile} -o ${spirv}
     COMMAND ${LAVER_SPIRV_VAL} --target-env vulkan1.1 ${spirv}
@@ -23,6 +21,36 @@ macro(laver_kernel name kernel)
   string(APPEND includes "#include \"${array}\"\n")
   string(APPEND entries "      {\"${name}\", spirv_${name}},\n")
   list(APPEND arrays ${array})
+endmacro()
+
+# laver_kernel_library(TARGET FUNCTION): the kernels named since the last one. A static library with
+# std::span<const std::uint32_t> laver::FUNCTION(const std::string& kernel), which throws
+# std::out_of_range. Only the list of kernels stands in its source, written anew when that changes.
+macro(laver_kernel_library target function)
+  set(lookup ${function})
+  file(CONFIGURE OUTPUT ${LAVER_SPIRV_DIR}/${target}.cpp @ONLY CONTENT
+"#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+
+namespace laver {
+namespace {
+@includes@}  // namespace
+
+std::span<const std::uint32_t> @lookup@(const std::string& kernel) {
+  static const std::map<std::string, std::span<const std::uint32_t>> kernels = {
+@entries@  };
+  return kernels.at(kernel);
+}
+
+}  // namespace laver
+")
+  set_source_files_properties(${LAVER_SPIRV_DIR}/${target}.cpp PROPERTIES OBJECT_DEPENDS "${arrays}")
+  add_library(${target} STATIC ${LAVER_SPIRV_DIR}/${target}.cpp ${arrays})
+  set(includes "")
+  set(entries "")
+  set(arrays "")
 endmacro()
 
 # An integrator is compiled for both traversals.
@@ -36,25 +64,4 @@ foreach(kernel IN LISTS LAVER_KERNELS)
     laver_kernel(${name} ${kernel})
   endif()
 endforeach()
-
-# Only the list of kernels stands in this file; it is written anew when that changes.
-file(CONFIGURE OUTPUT ${LAVER_SPIRV_DIR}/spirv.cpp @ONLY CONTENT
-"#include \"vulkan/spirv.h\"
-
-#include <map>
-
-namespace laver {
-namespace {
-@includes@}  // namespace
-
-std::span<const std::uint32_t> spirvOf(const std::string& kernel) {
-  static const std::map<std::string, std::span<const std::uint32_t>> kernels = {
-@entries@  };
-  return kernels.at(kernel);
-}
-
-}  // namespace laver
-")
-set_source_files_properties(${LAVER_SPIRV_DIR}/spirv.cpp PROPERTIES OBJECT_DEPENDS "${arrays}")
-add_library(laver_shaders STATIC ${LAVER_SPIRV_DIR}/spirv.cpp ${arrays})
-target_include_directories(laver_shaders PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/host)
+laver_kernel_library(laver_shaders spirvOf)

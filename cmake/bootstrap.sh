@@ -7,10 +7,10 @@ root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 build=$root/build
 
 packages='
-  ca-certificates cmake g++ glmark2-data glslang-tools libcli11-dev libdeflate-dev libfmt-dev
-  libglm-dev libgtest-dev libopenexr-dev libpng-dev libpugixml-dev libtinyobjloader-dev libvulkan-dev
-  libvulkan-volk-dev libvulkan1 mesa-vulkan-drivers ninja-build nlohmann-json3-dev spirv-tools
-  vulkan-validationlayers'
+  ca-certificates cmake g++ glmark2-data glslang-tools libcli11-dev libdeflate-dev libembree-dev
+  libfmt-dev libglm-dev libgtest-dev libopenexr-dev libpng-dev libpugixml-dev libtinyobjloader-dev
+  libvulkan-dev libvulkan-volk-dev libvulkan1 mesa-vulkan-drivers ninja-build nlohmann-json3-dev
+  spirv-tools vulkan-validationlayers'
 checkPackages='clang clang-format clang-tidy dpkg-dev file gcovr libclang-rt-dev'
 
 usage() {

@@ -5,8 +5,11 @@
 namespace laver {
 
 Kernel::Kernel(const Device& device, const Bindings& bindings, const std::string& name,
+               std::span<const std::uint32_t> constants, std::uint32_t pushBytes)
+    : Kernel(device, bindings, spirvOf(name), constants, pushBytes) {}
+
+Kernel::Kernel(const Device& device, const Bindings& bindings, std::span<const std::uint32_t> spirv,
                std::span<const std::uint32_t> constants, std::uint32_t pushBytes) {
-  const auto spirv = spirvOf(name);
   VkShaderModuleCreateInfo moduleInfo{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
   moduleInfo.codeSize = spirv.size_bytes();
   moduleInfo.pCode = spirv.data();

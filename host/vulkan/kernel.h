@@ -15,6 +15,9 @@ class Kernel {
   /// constants of `pushBytes`.
   Kernel(const Device& device, const Bindings& bindings, const std::string& name,
          std::span<const std::uint32_t> constants, std::uint32_t pushBytes);
+  /// The same of SPIR-V from elsewhere.
+  Kernel(const Device& device, const Bindings& bindings, std::span<const std::uint32_t> spirv,
+         std::span<const std::uint32_t> constants, std::uint32_t pushBytes);
 
   /// Records a dispatch with the given push constants.
   void dispatch(VkCommandBuffer commands, const Bindings& bindings, std::span<const std::byte> push,

@@ -1,0 +1,192 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "bench/bench.h"
+#include "bench/embree_pass.h"
+#include "bench/laver_pass.h"
+#include "bench/scenes.h"
+
+namespace laver::bench {
+namespace {
+
+struct Side {
+  std::string name;
+  EmbreeCall call;
+  std::vector<double> seconds;
+  std::vector<float> image;
+  double outside = 0;
+};
+
+struct Setup {
+  std::string name;
+  Integrator integrator;
+  std::uint32_t samples;
+  unsigned threads;
+  bool everyCall;  ///< all of Embree's forms, else those that the figures name
+};
+
+std::vector<Side> sidesOf(const EmbreeScenes& e, const Setup& setup) {
+  std::vector<Side> sides;
+  const auto add = [&](const char* name, const EmbreeScene& scene, int width, bool together) {
+    sides.push_back({name, {scene.get(), width, together}, {}, {}, 0});
+  };
+  add("ray16 robust", e.robust, 16, false);
+  if (setup.samples == 16) add("ray16 robust, samples together", e.robust, 16, true);
+  add("ray16 robust avx2", e.robustAvx2, 16, false);
+  add("ray8 robust avx2", e.robustAvx2, 8, false);
+  if (!setup.everyCall) return sides;
+  add("generate and store alone", e.robust, 0, false);
+  add("ray16", e.plain, 16, false);
+  add("ray16 avx2", e.plainAvx2, 16, false);
+  add("ray16 robust, quality high", e.robustHigh, 16, false);
+  add("ray8 robust", e.robust, 8, false);
+  add("ray8", e.plain, 8, false);
+  add("ray8 avx2", e.plainAvx2, 8, false);
+  add("ray1 robust", e.robust, 1, false);
+  add("ray1", e.plain, 1, false);
+  add("ray1 robust avx2", e.robustAvx2, 1, false);
+  add("ray1 avx2", e.plainAvx2, 1, false);
+  return sides;
+}
+
+/// Share of pixels that differ by more than 1e-3, relatively or where small absolutely: rays at
+/// edges, silhouettes and shadow borders.
+double differing(const Image& laver, const std::vector<float>& sums, std::size_t samples) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < sums.size(); i += 3) {
+    bool differs = false;
+    for (std::size_t c = i; c < i + 3; ++c) {
+      const float mean = sums[c] / static_cast<float>(samples);
+      differs = differs || !(std::abs(mean - laver.pixels[c]) <= 1e-3F * std::max(mean, 1e-2F));
+    }
+    count += differs ? 1 : 0;
+  }
+  return static_cast<double>(count) * 3.0 / static_cast<double>(sums.size());
+}
+
+/// Returns how many times laver's speed is that of each side.
+std::map<std::string, double> comparePasses(Report& report, const EmbreeScenes& embree, Scene scene,
+                                            const Setup& setup, const Rounds& rounds) {
+  scene.integrator = setup.integrator;
+  // One sample: a pass for each round and one to warm up. More: a whole render each round.
+  const bool single = setup.samples == 1;
+  scene.sampler.sampleCount =
+      single ? static_cast<std::uint32_t>(rounds.passes) + 1 : setup.samples;
+  const auto pixels = static_cast<std::uint64_t>(scene.camera.width) *
+                      static_cast<std::uint64_t>(scene.camera.height);
+  EmbreePass pass(packScene(scene, {}, specialise(scene, {})), setup.samples);
+  std::vector<Side> sides = sidesOf(embree, setup);
+  EmbreePass::Result result;
+  const auto runEmbree = [&](std::size_t round, bool keep) {
+    for (Side& side : sides) {
+      const auto first = static_cast<std::uint32_t>(single ? round : 0);
+      result = pass.run(side.call, first, setup.samples, setup.threads);
+      if (keep) side.seconds.push_back(result.seconds);
+      if (single || round == 0) pass.addTo(side.image, side.call, setup.samples);
+    }
+  };
+  std::vector<double> seconds;
+  LaverRender laver;
+  if (single) {
+    laver = renderWithLaver(scene, setup.threads, "", pixels,
+                            [&](std::size_t round) { runEmbree(round, round > 0); });
+    seconds.assign(laver.passes.begin() + 1, laver.passes.end());
+  } else {
+    pass.run(sides[0].call, 0, setup.samples, setup.threads);
+    for (std::size_t round = 0; round < rounds.renders; ++round) {
+      laver = renderWithLaver(scene, setup.threads, "", 0);
+      seconds.push_back(laver.stats.seconds.trace);
+      runEmbree(round, true);
+    }
+  }
+  for (Side& side : sides) {
+    std::vector<double> outside(single ? 3 : 1);
+    for (double& share : outside)
+      share = pass.run(side.call, 0, setup.samples, setup.threads, true).outside;
+    side.outside = median(outside);
+  }
+
+  const bool shadows = setup.integrator == Integrator::DirectWhitted;
+  const auto rays = static_cast<double>(pixels * setup.samples + result.shadowRays);
+  report.section(
+      fmt::format("Whole pass: {}, {} sample{}, {}, {} thread{}", setup.name, setup.samples,
+                  single ? "" : "s",
+                  shadows ? "primary + shadow (direct_whitted)" : "primary (depth)", setup.threads,
+                  setup.threads == 1 ? "" : "s"),
+      {{"triangles", laver.stats.triangles},
+       {"hits", static_cast<double>(result.hits) / static_cast<double>(pixels * setup.samples)},
+       {"rays", rays}});
+  const double laverMedian = median(seconds);
+  nlohmann::json facts{{"samples a pass", laver.stats.samplesAPass}};
+  if (single) facts["first pass, cold memory, ms"] = laver.passes[0] * 1e3;
+  report.timing("laver " + laver.stats.traversal, seconds, rays, 0, facts);
+  std::map<std::string, double> ratios;
+  for (const Side& side : sides) {
+    ratios[side.name] = median(side.seconds) / laverMedian;
+    report.timing(side.name, side.seconds, rays, laverMedian,
+                  {{"outside rtc", side.outside},
+                   {"differing", differing(laver.image, side.image, scene.sampler.sampleCount)}});
+  }
+  return ratios;
+}
+
+}  // namespace
+
+void benchPasses(Report& report, const EmbreeDevices& devices, const Rounds& rounds) {
+  using enum Integrator;
+  struct View {
+    std::string scene;
+    int subdivided;
+    std::vector<Setup> setups;
+  };
+  const std::vector<View> views = {
+      {"torus", 0, {{"torus", Depth, 1, 2, false}, {"torus", DirectWhitted, 1, 2, false}}},
+      {"bunny",
+       0,
+       {{"bunny", Depth, 1, 2, true},
+        {"bunny", DirectWhitted, 1, 2, true},
+        {"bunny", Depth, 1, 1, false},
+        {"bunny", DirectWhitted, 1, 1, false},
+        {"bunny", Depth, 16, 2, false},
+        {"bunny", DirectWhitted, 16, 2, false}}},
+      {"bunny-close",
+       0,
+       {{"bunny-close", Depth, 1, 2, false},
+        {"bunny-close", DirectWhitted, 1, 2, false},
+        {"bunny-close", DirectWhitted, 16, 2, false}}},
+      {"bunny",
+       2,
+       {{"bunny x16", Depth, 1, 2, false},
+        {"bunny x16", DirectWhitted, 1, 2, false},
+        {"bunny x16", DirectWhitted, 16, 2, false}}},
+      {"bunny-close", 2, {{"bunny-close x16", DirectWhitted, 1, 2, false}}},
+  };
+  std::map<std::string, std::map<std::string, double>> ratios;
+  for (const View& view : views) {
+    const Scene scene = benchScene(view.scene, view.subdivided);
+    const EmbreeScenes embree(devices, scene);
+    for (const Setup& setup : view.setups)
+      ratios[fmt::format("{} {} {} {}", setup.name, setup.samples,
+                         setup.integrator == Depth ? "primary" : "shadow", setup.threads)] =
+          comparePasses(report, embree, scene, setup, rounds);
+  }
+  // Embree's packets hold 4 x 4 pixels; at 16 samples they can hold those of one pixel instead.
+  const std::string pixels = "ray16 robust", together = "ray16 robust, samples together";
+  const auto figure = [&](const std::string& name, const char* key, const char* wanted) {
+    const auto& sides = ratios.at(key);
+    report.figure(name + ", whole pass", sides.at(pixels), wanted);
+    if (sides.contains(together))
+      report.figure("the same against samples together", sides.at(together), "");
+  };
+  figure("bunny, 1 sample, primary", "bunny 1 primary 2", "1.8");
+  figure("bunny, 1 sample, primary + shadow", "bunny 1 shadow 2", "1.5");
+  figure("bunny, 16 samples, primary", "bunny 16 primary 2", "2.2");
+  figure("bunny, 16 samples, primary + shadow", "bunny 16 shadow 2", "1.8");
+  figure("1.1 M triangles, 1 sample, primary + shadow", "bunny x16 1 shadow 2", "0.8");
+  figure("1.1 M triangles, 16 samples, primary + shadow", "bunny x16 16 shadow 2", "1.4");
+}
+
+}  // namespace laver::bench

@@ -1,0 +1,144 @@
+#include "trace/ray_tracer.h"
+
+#include <array>
+#include <chrono>
+#include <cstring>
+#include <deque>
+
+#include "vulkan/bindings.h"
+#include "vulkan/kernel.h"
+
+namespace laver {
+
+std::span<const std::uint32_t> traceSpirvOf(const std::string& kernel);
+
+namespace test {
+namespace {
+
+/// Of one dispatch: 32 MiB of rays.
+constexpr std::size_t kRays = std::size_t{1} << 20;
+constexpr std::uint32_t kInput = shared::BINDINGS, kOutput = shared::BINDINGS + 1;
+/// Workgroups a row of a dispatch.
+constexpr std::uint32_t kRow = 1024;
+
+static_assert(sizeof(TestRay) == 32 && sizeof(TestHit) == 16);
+
+std::array<VkDescriptorType, shared::BINDINGS + 2> bindingTypes() {
+  std::array<VkDescriptorType, shared::BINDINGS + 2> types;
+  types.fill(VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER);
+  types[shared::BIND_PARAMS] = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+  for (const auto b : {shared::BIND_RADIANCE, shared::BIND_WEIGHTS, shared::BIND_FILM,
+                       shared::BIND_STATUS, kOutput})
+    types[b] = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+  return types;
+}
+
+Kernel kernelOf(const Device& device, const Bindings& bindings, const std::string& name,
+                std::uint32_t stack) {
+  std::array<std::uint32_t, shared::SPEC_CONSTANTS> constants{};
+  constants[shared::SPEC_STACK] = stack;
+  return {device, bindings, traceSpirvOf(name), constants, sizeof(shared::Pass)};
+}
+
+}  // namespace
+
+struct RayTracer::Impl {
+  Impl(const Device& d, const Bvh& bvh, const std::string& traversal)
+      : device(d),
+        bindings(d, bindingTypes()),
+        params(d, "parameters", Buffer::Use::Uniform, sizeof(shared::Params)),
+        status(d, "status", Buffer::Use::Storage, sizeof(shared::Status)),
+        output(d, "hits", Buffer::Use::Storage, kRays * sizeof(TestHit)),
+        closest(kernelOf(d, bindings, "closest_" + traversal, bvh.stack)),
+        visible(kernelOf(d, bindings, "visible_" + traversal, bvh.stack)) {
+    shared::Params values{};
+    values.film.w = bvh.root;
+    params.upload(std::as_bytes(std::span(&values, 1)));
+    bindings.bind(shared::BIND_PARAMS, params);
+    bindings.bind(shared::BIND_STATUS, status);
+    bindings.bind(kOutput, output);
+    uploadTexels(shared::BIND_NODES, std::as_bytes(std::span(bvh.nodes)));
+    uploadTexels(shared::BIND_TRIANGLES, std::as_bytes(std::span(bvh.triangles)));
+    input = &bindTexels(kInput, kRays * sizeof(TestRay));
+  }
+
+  Buffer& bindTexels(std::uint32_t binding, std::size_t bytes) {
+    buffers.emplace_back(device, "texels", Buffer::Use::Texels, bytes);
+    views.push_back(buffers.back().texelView(VK_FORMAT_R32G32B32A32_UINT));
+    bindings.bind(binding, views.back().get());
+    return buffers.back();
+  }
+
+  /// Something must be bound where there is nothing to read.
+  void uploadTexels(std::uint32_t binding, std::span<const std::byte> data) {
+    const Buffer& buffer = bindTexels(binding, std::max<std::size_t>(data.size(), 48));
+    if (!data.empty()) buffer.upload(data);
+  }
+
+  void run(const Kernel& kernel, shared::Pass pass, std::size_t count) {
+    pass.region.x = static_cast<std::uint32_t>(count);
+    const std::uint32_t groups = (pass.region.x + 63) / 64;
+    const std::uint32_t width = std::min(groups, kRow);
+    const auto start = std::chrono::steady_clock::now();
+    device.run([&](VkCommandBuffer commands) {
+      kernel.dispatch(commands, bindings, std::as_bytes(std::span(&pass, 1)),
+                      {width, (groups + width - 1) / width, 1});
+    });
+    seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+  /// Calls part(begin, end) for pieces of whole blocks that one dispatch takes.
+  template <class Part>
+  void inParts(std::size_t count, const Part& part) {
+    seconds = 0;
+    status.fillZero();
+    for (std::size_t i = 0; i < count; i += kRays) part(i, std::min(count, i + kRays));
+    shared::Status counts{};
+    status.download(std::as_writable_bytes(std::span(&counts, 1)));
+    incomplete = counts.incomplete;
+  }
+
+  const Device& device;
+  Bindings bindings;
+  Buffer params, status, output;
+  std::vector<Handle<VkBufferView>> views;
+  std::deque<Buffer> buffers;
+  const Buffer* input = nullptr;
+  Kernel closest, visible;
+  double seconds = 0;
+  std::uint32_t incomplete = 0;
+};
+
+RayTracer::RayTracer(const Device& device, const Bvh& bvh, const std::string& traversal)
+    : impl_(std::make_unique<Impl>(device, bvh, traversal)) {}
+RayTracer::~RayTracer() = default;
+
+std::vector<TestHit> RayTracer::closest(std::span<const TestRay> rays) {
+  std::vector<TestHit> hits(rays.size());
+  impl_->inParts(rays.size(), [&](std::size_t begin, std::size_t end) {
+    impl_->input->upload(std::as_bytes(rays.subspan(begin, end - begin)));
+    impl_->run(impl_->closest, {}, end - begin);
+    impl_->output.download(std::as_writable_bytes(std::span(hits).subspan(begin, end - begin)));
+  });
+  return hits;
+}
+
+std::vector<std::uint32_t> RayTracer::visible(glm::vec3 light, std::span<const glm::vec3> points) {
+  std::vector<glm::vec4> texels(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) texels[i] = glm::vec4(points[i], 0.0F);
+  shared::Pass pass{};
+  std::memcpy(&pass.core, &light, sizeof light);
+  std::vector<std::uint32_t> seen(points.size());
+  impl_->inParts(points.size(), [&](std::size_t begin, std::size_t end) {
+    impl_->input->upload(std::as_bytes(std::span(texels).subspan(begin, end - begin)));
+    impl_->run(impl_->visible, pass, end - begin);
+    impl_->output.download(std::as_writable_bytes(std::span(seen).subspan(begin, end - begin)));
+  });
+  return seen;
+}
+
+double RayTracer::seconds() const { return impl_->seconds; }
+std::uint32_t RayTracer::incomplete() const { return impl_->incomplete; }
+
+}  // namespace test
+}  // namespace laver

@@ -1,0 +1,121 @@
+// Rays from memory: both traversals against the double-precision tree, and against each other.
+#include <cstring>
+#include <random>
+
+#include "reference/tree.h"
+#include "render/harness.h"
+#include "render/scene_data.h"
+#include "trace/ray_tracer.h"
+
+namespace laver::test {
+namespace {
+
+using glm::vec3;
+
+Scene bumpyBall() {
+  Scene scene;
+  scene.meshes.push_back(ball(24, 40, 0.05, {3.0, 0.0, 0.0}));
+  return scene;
+}
+
+class TraceRays : public testing::Test {
+ protected:
+  vec3 point(float size) { return vec3(number(size), number(size), number(size)); }
+  float number(float size) { return std::uniform_real_distribution(-size, size)(engine_); }
+
+  /// Blocks of 64 of one origin, narrow and wide, some cut short at both ends; the last block is
+  /// short.
+  std::vector<TestRay> someRays() {
+    std::vector<TestRay> rays;
+    for (int block = 0; block < 151; ++block) {
+      const vec3 origin = point(block % 3 == 0 ? 0.2F : 4.0F);
+      const vec3 aim = point(0.5F) - origin;
+      const float width = block % 5 == 0 ? 2.0F : 0.05F;
+      for (int i = 0; i < (block == 150 ? 9 : 64); ++i) {
+        const float far = block % 7 == 0 ? 1.0F + number(0.9F) : 1e10F;
+        rays.push_back({origin, i % 4 == 0 ? 0.5F : 0.0F, aim + point(width), far});
+      }
+    }
+    return rays;
+  }
+
+  Instance instance_{false};
+  Device device_{choosePhysicalDevice(instance_, "cpu")};
+  SceneData scene_ = packScene(bumpyBall(), {}, specialise(bumpyBall(), {}));
+  RayTracer lane_{device_, scene_.bvh, "lane"};
+  std::mt19937 engine_{17};
+};
+
+reference::Tree doubleTree(const Bvh& bvh) {
+  std::vector<reference::Triangle> triangles;
+  for (const shared::Triangle& t : bvh.triangles) triangles.emplace_back(t.a, t.b, t.c, t.id);
+  return reference::Tree(triangles);
+}
+
+TEST_F(TraceRays, NearestHitsAreTheReferences) {
+  const auto tree = doubleTree(scene_.bvh);
+  const std::vector<TestRay> rays = someRays();
+  const std::vector<TestHit> hits = lane_.closest(rays);
+  EXPECT_EQ(lane_.incomplete(), 0U);
+  EXPECT_GT(lane_.seconds(), 0.0);
+  int met = 0, otherSide = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const TestRay& ray = rays[i];
+    const auto wanted = tree.closest({ray.origin, ray.direction}, static_cast<double>(ray.tmin),
+                                     static_cast<double>(ray.tmax));
+    ASSERT_EQ(hits[i].id != shared::NO_HIT, wanted.has_value()) << i;
+    if (!wanted) {
+      EXPECT_EQ(hits[i].t, ray.tmax);
+      continue;
+    }
+    ++met;
+    // A float's rounding may put a ray on the other side of an edge: some 1e-7 of a triangle's 0.1
+    // for each ray.
+    otherSide += hits[i].id != wanted->triangle->id;
+    // 2^-24 * |origin| / |direction|, some ten times over; directions are longer than 0.1.
+    EXPECT_NEAR(static_cast<double>(hits[i].t), wanted->t, 2e-5) << i;
+    if (hits[i].id != wanted->triangle->id) continue;
+    // The same against an edge of 0.1, seen flat at worst by a slope of 100.
+    EXPECT_NEAR(static_cast<double>(hits[i].u), wanted->weights[1], 1e-3) << i;
+    EXPECT_NEAR(static_cast<double>(hits[i].v), wanted->weights[2], 1e-3) << i;
+  }
+  EXPECT_GT(met, 3000);
+  EXPECT_LT(otherSide, 5);
+}
+
+TEST_F(TraceRays, PointsAreSeenAsInTheReference) {
+  const auto tree = doubleTree(scene_.bvh);
+  for (const vec3 light :
+       {vec3(0.1F, 0.0F, 0.2F), vec3(1.5F, 2.0F, -1.0F), vec3(30.0F, 50.0F, 9.0F)}) {
+    std::vector<vec3> points;
+    points.reserve(2009);
+    for (int i = 0; i < 2009; ++i) points.push_back(point(1.0F));
+    points.back().x = std::numeric_limits<float>::quiet_NaN();
+    const auto seen = lane_.visible(light, points);
+    EXPECT_EQ(lane_.incomplete(), 0U);
+    int blocked = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      EXPECT_EQ(seen[i] == 0, std::isnan(points[i].x) || tree.blocked(points[i], light)) << i;
+      blocked += seen[i] == 0;
+    }
+    EXPECT_GT(blocked, 100);
+    EXPECT_LT(blocked, 1900);
+  }
+}
+
+TEST_F(TraceRays, PacketsFindTheSameToTheBit) {
+  if (bestTraversal(device_.info()) != "packet") GTEST_SKIP() << "no subgroups of 8";
+  RayTracer packet(device_, scene_.bvh, "packet");
+  const std::vector<TestRay> rays = someRays();
+  const auto a = lane_.closest(rays), b = packet.closest(rays);
+  EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(TestHit)), 0);
+  std::vector<vec3> points;
+  points.reserve(4000);
+  for (int i = 0; i < 4000; ++i) points.push_back(point(1.0F));
+  const vec3 light(1.5F, 2.0F, -1.0F);
+  EXPECT_EQ(lane_.visible(light, points), packet.visible(light, points));
+  EXPECT_EQ(lane_.incomplete() + packet.incomplete(), 0U);
+}
+
+}  // namespace
+}  // namespace laver::test
