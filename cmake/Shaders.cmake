@@ -53,15 +53,10 @@ std::span<const std::uint32_t> @lookup@(const std::string& kernel) {
   set(arrays "")
 endmacro()
 
-# An integrator is compiled for both traversals.
+# Each is compiled for both traversals: for any device, and for subgroups of 8 lanes that shuffle.
 foreach(kernel IN LISTS LAVER_KERNELS)
   get_filename_component(name ${kernel} NAME_WE)
-  file(STRINGS ${kernel} integrator REGEX "integrator.glsl")
-  if(integrator)
-    laver_kernel(${name}_lane ${kernel})
-    laver_kernel(${name}_packet ${kernel} -DLAVER_PACKET)
-  else()
-    laver_kernel(${name} ${kernel})
-  endif()
+  laver_kernel(${name}_lane ${kernel})
+  laver_kernel(${name}_packet ${kernel} -DLAVER_PACKET)
 endforeach()
 laver_kernel_library(laver_shaders spirvOf)

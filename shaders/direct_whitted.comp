@@ -5,7 +5,7 @@
 // Direct light of point lights on Lambertian surfaces: sum of radiance / distance^2 * cos * albedo
 // / pi over the lights that the hit sees.
 void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
-  if (!HAS_LIGHTS) return;
+  if (LIGHTS == LIGHTS_NONE) return;
   Surface surfaces[R];
   FOR_RAYS (uint r = 0u; r < R; ++r)
     surfaces[r] =
@@ -24,7 +24,8 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
       const vec3 toLight = light - s.position;
       squared[r] = dotProduct(toLight, toLight);
       const float along = dotProduct(s.normal, toLight);
-      live[r] = hits.slot[r] != NO_HIT && along > 0.0 && squared[r] > 0.0 &&
+      // Nearer than 2^-50 of the scene, far below the rounding of positions, is on the surface.
+      live[r] = hits.slot[r] != NO_HIT && along > 0.0 && squared[r] > 7.8886091e-31 &&
                 dotProduct(s.normal, rays.direction[r]) < 0.0;
       cosine[r] = along / sqrt(squared[r]);
       const float side = dotProduct(s.geometric, toLight) < 0.0 ? -s.offset : s.offset;
@@ -35,5 +36,6 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
       const vec3 irradiance = power / squared[r] * cosine[r];
       if (seen[r]) radiance[r] += irradiance * albedoOf(surfaces[r]) * 0.31830989;
     }
-  }  incomplete = incomplete || i != pass.lights.y;
+  }
+  incomplete = incomplete || i != pass.lights.y;
 }

@@ -4,18 +4,19 @@
 #define LAVER_FILTER
 #include "resources.glsl"
 
-// exp(x) for -87 <= x <= 0 within 2 ulp; drivers' exp is off by up to 29. exp(x) = 2^n exp(r),
+#extension GL_EXT_control_flow_attributes : require
+
+// exp(x) for |x| <= 87 within 2 ulp; drivers' exp is off by up to 29. exp(x) = 2^n exp(r),
 // |r| <= ln 2 / 2, where the Taylor polynomial of degree 7 is off by r^8 / 8! < 6e-9.
 float expOf(float x) {
   precise float n = floor(x * 1.44269504 + 0.5);
   precise float r = (x - n * 0.693359375) + n * 2.12194440e-4;
-  precise float p = 1.0 / 5040.0;
-  p = p * r + 1.0 / 720.0;
-  p = p * r + 1.0 / 120.0;
-  p = p * r + 1.0 / 24.0;
-  p = p * r + 1.0 / 6.0;
-  p = p * r + 0.5;
-  precise float result = (p * r * r + r) + 1.0;
+  // Estrin's order, so that few products wait for each other.
+  precise float r2 = r * r;
+  precise float low = r * 0.5 + 1.0;
+  precise float middle = (r * (1.0 / 24.0) + 1.0 / 6.0);
+  precise float high = (r * (1.0 / 720.0) + 1.0 / 120.0) + r2 * (1.0 / 5040.0);
+  precise float result = ((middle + r2 * high) * r2 * r + low * r) + 1.0;
   return result * uintBitsToFloat(uint(int(n) + 127) << 23);
 }
 
@@ -42,10 +43,37 @@ float filterWeight(float x) {
     return params.table[i / 4][i % 4];
   }
   float w = 1.0;  // box
-  if (FILTER == FILTER_GAUSSIAN) w = gaussian(x);
+  if (FILTER == FILTER_GAUSSIAN || FILTER == FILTER_GAUSSIAN_NARROW) w = gaussian(x);
   if (FILTER == FILTER_MITCHELL) w = mitchell(x);
   if (FILTER == FILTER_TENT) w = max(0.0, 1.0 - abs(x / radius));
   return abs(x) <= radius ? w : 0.0;
+}
+
+// Weights of one sample, `x` from its own pixel's centre, for the pixels at -APRON to APRON. Those
+// of a gaussian share their exponentials: exp(alpha (x - k)^2) is exp(alpha x^2) times
+// exp(-2 alpha x)^k times exp(alpha k^2), which stands in params.table[k].
+void filterWeights(float x, out float w[REACH]) {
+  if (FILTER != FILTER_GAUSSIAN_NARROW || NORI_TABLE) {
+    [[unroll]] for (uint k = 0u; k < REACH; ++k)
+      w[k] = filterWeight(x - (float(k) - float(APRON)));
+    return;
+  }
+  const float radius = params.filterArgs.x, alpha = params.filterArgs.y;
+  precise float up = expOf(-2.0 * alpha * x);
+  precise float down = 1.0 / up;
+  precise float right = expOf(alpha * x * x), left = right;
+  w[APRON] = right;
+  [[unroll]] for (uint k = 1u; k <= APRON; ++k) {
+    right *= up;
+    left *= down;
+    const float centre = params.table[k / 4u][k % 4u];
+    w[APRON + k] = right * centre;
+    w[APRON - k] = left * centre;
+  }
+  [[unroll]] for (uint k = 0u; k < REACH; ++k) {
+    const float distance = abs(x - (float(k) - float(APRON)));
+    w[k] = distance <= radius && w[k] > params.filterArgs.z ? w[k] - params.filterArgs.z : 0.0;
+  }
 }
 
 #endif

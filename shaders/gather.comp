@@ -1,49 +1,46 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Reconstruction: adds, for each pixel of the core, the samples of the pass around it to running
-// sums. Sample index outer, neighbours row by row inside; each index ends in one compensated sum
-// (Neumaier's two-sum, Knuth TAOCP 4.2.2), so splitting a render into passes changes no bit.
-#include "resources.glsl"
+// sums. An invocation goes down a column and keeps a sum for each row that the samples of the
+// present one reach, so that a sample is read once a column. Rows outer, GATHER_SAMPLES samples of
+// a pixel, columns inner; then one compensated sum (Neumaier's two-sum, Knuth TAOCP 4.2.2).
+#ifdef LAVER_PACKET
+#include "gather_packet.glsl"
+#else
+#include "gather_lane.glsl"
+#endif
 
-layout(local_size_x = GATHER_GROUP_X, local_size_y = GATHER_GROUP_Y) in;
+layout(local_size_x = GATHER_GROUP) in;
 
-void addCompensated(inout FilmPixel pixel, vec4 x) {
+void addCompensated(uint at, vec4 x) {
+  FilmPixel pixel = filmPixels[at];
   precise vec4 sum = pixel.sum + x;
   precise vec4 before = sum - x;
   precise vec4 error = (pixel.sum - before) + (x - (sum - before));
   precise vec4 rest = pixel.rest + error;
   pixel.sum = sum;
   pixel.rest = rest;
+  filmPixels[at] = pixel;
 }
 
 void main() {
-  const uvec2 place = gl_GlobalInvocationID.xy;
-  if (any(greaterThanEqual(place, pass.core.zw))) return;
-  const ivec2 size = ivec2(pass.region.zw);
-  const ivec2 centre = ivec2(pass.core.xy + place - pass.region.xy);
-  const int count = int(samplesOfPass());
   const int apron = int(APRON);
+  const ivec2 core = ivec2(pass.core.zw);
+  const ivec2 shift = ivec2(pass.core.xy) - ivec2(pass.region.xy);
+  const int column = int(gl_GlobalInvocationID.x);
+  const int first = int(gl_WorkGroupID.y * pass.tiles.x);
+  const int end = min(first + int(pass.tiles.x), core.y);
 
-  FilmPixel pixel = filmPixels[place.y * pass.core.z + place.x];
-  for (int s = 0; s < int(pass.samples.y); ++s) {
-    vec4 sum = vec4(0.0);
-    for (int dy = -apron; dy <= apron; ++dy) {
-      for (int dx = -apron; dx <= apron; ++dx) {
-        const ivec2 at = centre + ivec2(dx, dy);
-        const bool exists = all(greaterThanEqual(at, ivec2(0))) && all(lessThan(at, size));
-        const ivec2 safe = exists ? at : centre;
-        const int slot = (s * size.y + safe.y) * size.x + safe.x;
-        const vec4 value = texelFetch(radianceTexels, slot);
-        // This pixel stands at offset -d of the sample's own.
-        const float wx = texelFetch(weightTexels, (apron - dx) * count + slot).r;
-        const float wy = texelFetch(weightTexels, (apron + 1 + apron + apron - dy) * count + slot).r;
-        precise float w = exists ? wx * wy * value.a : 0.0;
-        precise vec4 term = vec4(value.rgb * w, w);
-        precise vec4 next = sum + term;
-        sum = next;
-      }
+  for (uint group = 0u; group < pass.samples.y; group += GATHER_SAMPLES) {
+    const uint groupEnd = min(group + GATHER_SAMPLES, pass.samples.y);
+    vec4 sums[REACH];  // of rows row - apron to row + apron
+    [[unroll]] for (uint k = 0u; k < REACH; ++k) sums[k] = vec4(0.0);
+    for (int row = first - apron; row < end + apron; ++row) {
+      for (uint s = group; s < groupEnd; ++s) addRow(sums, column + shift.x, row + shift.y, s);
+      const int done = row - apron;
+      if (done >= first && column < core.x) addCompensated(uint(done * core.x + column), sums[0]);
+      [[unroll]] for (uint k = 1u; k < REACH; ++k) sums[k - 1u] = sums[k];
+      sums[REACH - 1u] = vec4(0.0);
     }
-    addCompensated(pixel, sum);
   }
-  filmPixels[place.y * pass.core.z + place.x] = pixel;
 }

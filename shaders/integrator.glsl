@@ -1,31 +1,38 @@
-// The frame of a trace kernel: camera rays in, radiance and filter weights of each sample out. An
-// integrator includes this file and defines integrate().
-#include "filter.glsl"
+// The frame of a trace kernel: camera rays in, radiance and place of each sample out. An integrator
+// includes this file and defines integrate().
+#include "resources.glsl"
 #ifdef LAVER_PACKET
 #include "packet.glsl"
 #else
 #include "lane.glsl"
 #endif
-#include "resources.glsl"
 #include "sampler.glsl"
 #include "surface.glsl"
 
-// A workgroup traces a tile of 8 x 8 pixels.
+// A workgroup traces 64 samples: of a tile of 8 x 8 pixels, or more than one of each pixel of a
+// smaller tile, side by side.
 layout(local_size_x = 64 / R) in;
 
 // Adds to `radiance` what each hit sends back along its ray. In scenes with many lights it is
 // called once for every few of them (pass.lights).
 void integrate(Rays rays, Hits hits, inout vec3 radiance[R]);
 
-// Pixel of the region and sample of the pass that ray r of this invocation traces. Eight lanes
-// hold 4 x 2 pixels, or a row of the tile for each of their 8 rays. Rows of tiles are permuted, so
-// that threads that get one range of workgroups each get equal work.
-uvec3 rayPlace(uint r) {
-  const uint i = gl_LocalInvocationIndex;
-  const uint row = gl_WorkGroupID.y * pass.samples.w % pass.samples.z;
-  const uvec2 inside = R == 8 ? uvec2(i, r)
-                              : uvec2((i & 3u) | (i >> 1 & 4u), (i >> 2 & 1u) | (i >> 3 & 6u));
-  return uvec3(uvec2(gl_WorkGroupID.x, row) * 8u + inside, gl_WorkGroupID.z);
+// Rows of tiles are permuted, so that threads that get one range of workgroups each get equal work.
+uvec2 tileOrigin() {
+  const uint row = gl_WorkGroupID.y * pass.tiles.y % pass.tiles.x;
+  return uvec2(gl_WorkGroupID.x, row) * (8u >> (pass.tiles.z >> 1));
+}
+
+// Pixel of the region and sample of the pass that ray r of this invocation traces. Pixels of a tile
+// are in Morton order, so that neighbouring numbers, which are the rays of a lane, stay close.
+uvec3 rayPlace(uvec2 tile, uint r) {
+  const uint number = gl_LocalInvocationIndex * R + r;
+  const uint sampleNumber = number & ((1u << pass.tiles.z) - 1u);
+  const uint m = number >> pass.tiles.z;
+  const uvec2 inside = uvec2((m & 1u) | (m >> 1 & 2u) | (m >> 2 & 4u),
+                             (m >> 1 & 1u) | (m >> 2 & 2u) | (m >> 3 & 4u));
+  return uvec3(tile + inside,
+               pass.tiles.w + (gl_WorkGroupID.z << pass.tiles.z) + sampleNumber);
 }
 
 vec3 cameraDirection(vec2 film) {
@@ -40,27 +47,21 @@ bool finiteAndNotNegative(float x) {
   return bits < 0x7f800000u || bits == 0x80000000u;
 }
 
-// Weights of a sample for the pixels around its own, per axis: offset o stands for pixel + o.
-void storeWeights(uint slot, vec2 inside) {
-  const uint count = samplesOfPass();
-  const uint offsets = 2u * APRON + 1u;
-  for (uint i = 0u; i < offsets; ++i) {
-    const float centre = float(int(i) - int(APRON)) + 0.5;
-    weightOf[i * count + slot] = filterWeight(inside.x - centre);
-    weightOf[(offsets + i) * count + slot] = filterWeight(inside.y - centre);
-  }
+bool usable(vec3 v) {
+  return finiteAndNotNegative(v.r) && finiteAndNotNegative(v.g) && finiteAndNotNegative(v.b);
 }
 
 void main() {
+  const uvec2 tile = tileOrigin();
   Rays rays;
   rays.origin = params.origin.xyz;
   vec3 radiance[R];
   vec2 inside[R];
-  uint slot[R];
+  int slot[R];
   FOR_RAYS (uint r = 0u; r < R; ++r) {
-    const uvec3 place = rayPlace(r);
+    const uvec3 place = rayPlace(tile, r);
     rays.live[r] = all(lessThan(place.xy, pass.region.zw));
-    slot[r] = rays.live[r] ? (place.z * pass.region.w + place.y) * pass.region.z + place.x : 0u;
+    slot[r] = rays.live[r] ? sampleSlot(place) : 0;
     const uvec2 pixel = pass.region.xy + place.xy;
     const vec2 film = filmPosition(pixel, pass.samples.x + place.z);
     precise vec2 offset = film - vec2(pixel);
@@ -69,26 +70,25 @@ void main() {
     rays.tmin[r] = params.clip.x;
     rays.tmax[r] = params.clip.y;
     radiance[r] = vec3(0.0);
+    if (LIGHTS == LIGHTS_MANY && pass.lights.z == 0u)
+      radiance[r] = texelFetch(sampleTexels, slot[r]).rgb;
   }
-  if (pass.lights.z == 0u)
-    FOR_RAYS (uint r = 0u; r < R; ++r) radiance[r] = radianceOf[slot[r]].rgb;
 
   const Hits hits = closest(rays);
   integrate(rays, hits, radiance);
-  if (incomplete) atomicAdd(status.incomplete, 1u);
 
+  const bool last = LIGHTS != LIGHTS_MANY || pass.lights.w != 0u;
+  uint dropped = 0u;
   FOR_RAYS (uint r = 0u; r < R; ++r) {
-    if (!rays.live[r]) continue;
-    vec4 result = vec4(radiance[r], 1.0);
-    if (pass.lights.w != 0u) {
-      const uvec2 corePixel = pass.region.xy + rayPlace(r).xy - pass.core.xy;
-      if (!(finiteAndNotNegative(result.r) && finiteAndNotNegative(result.g) &&
-            finiteAndNotNegative(result.b))) {
-        result = vec4(0.0);
-        if (all(lessThan(corePixel, pass.core.zw))) atomicAdd(status.dropped, 1u);
-      }
+    const bool keep = !last || usable(radiance[r]);
+    const uvec2 corePixel = pass.region.xy + rayPlace(tile, r).xy - pass.core.xy;
+    dropped += !keep && rays.live[r] && all(lessThan(corePixel, pass.core.zw)) ? 1u : 0u;
+    const vec4 result = keep ? vec4(radiance[r], inside[r].x) : vec4(0.0, 0.0, 0.0, DROPPED);
+    if (rays.live[r]) {
+      imageStore(samples, slot[r], result);
+      imageStore(samplesY, slot[r], vec4(inside[r].y));
     }
-    radianceOf[slot[r]] = result;
-    if (pass.lights.z != 0u) storeWeights(slot[r], inside[r]);
   }
+  if (dropped > 0u) atomicAdd(status.dropped, dropped);
+  if (incomplete || loopsWereCut()) atomicAdd(status.incomplete, 1u);
 }

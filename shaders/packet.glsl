@@ -1,85 +1,79 @@
 // The `packet` traversal: a subgroup of 8 lanes traces 64 rays, 8 a lane, through one walk of the
-// tree. Lane c tests child c of a node, or triangle c of a leaf, against the frustum of the rays;
-// triangles that stay are handed to all lanes and tested by every ray with the text that `lane`
-// uses. The frustum holds every hit that `lane` accepts (see padOf), so both find the same.
+// tree. Lane c tests child c of a node, or triangle c of a leaf, against the frustum of all rays;
+// each lane then picks the triangles that its own rays may meet and tests those with the text that
+// `lane` uses. A frustum holds every hit that `lane` accepts (padOf), so both find the same.
 #ifndef LAVER_PACKET_GLSL
 #define LAVER_PACKET_GLSL
-#include "frustum.glsl"
 #include "packet_walk.glsl"
-#include "rays.glsl"
-#include "resources.glsl"
-#include "shared/triangle.h"
+
+const float NEVER = -3.4e38;  // depth of a ray that takes no part
 
 Hits closest(Rays rays) {
   Shear shears[R];
   float first[R], last[R];
   uint best[R], bestId[R];
   uint waiting = 0u;
-  [[unroll]] for (uint r = 0u; r < R; ++r) {
+  FOR_RAYS (uint r = 0u; r < R; ++r) {
     shears[r] = shearOf(rays.direction[r]);
-    const float scale = abs(alongAxis(rays.direction[r], shears[r].axis));
-    first[r] = rays.tmin[r] * scale;
-    last[r] = rays.tmax[r] * scale;
+    first[r] = rays.tmin[r] * abs(alongAxis(rays.direction[r], shears[r].axis));
     best[r] = bestId[r] = NO_HIT;
     waiting |= rays.live[r] ? 1u << r : 0u;
   }
 
-  Frustum f;
-  f.origin = rays.origin;
-  f.slack = vec4(padOf(rays.origin));
-  uint leadLane, leadRay;
-  while (leaderOf(waiting, leadLane, leadRay) && !incomplete) {
-    iterations++;
-    const uint group = gatherGroup(shears, waiting, leadLane, leadRay, f);
-    f.first = 3.4e38;
-    f.last = -1.0;
-    [[unroll]] for (uint r = 0u; r < R; ++r) {
+  Frustum f, own;
+  do {
+    const uint group = gatherGroup(shears, waiting, f, own);
+    const vec3 origin = permute(f.axis, rays.origin);
+    const float pad = padOf(rays.origin);
+    own.window = f.window = vec4(origin.xy - pad, origin.xy + pad);
+    own.depth = f.depth = origin.z;
+    own.first = 3.4e38;
+    own.last = NEVER;
+    FOR_RAYS (uint r = 0u; r < R; ++r) {
       const bool walks = (group >> r & 1u) != 0u;
-      f.first = walks ? min(f.first, first[r]) : f.first;
-      f.last = walks ? max(f.last, last[r]) : f.last;
+      const float scale = abs(alongAxis(rays.direction[r], shears[r].axis));
+      last[r] = walks ? rays.tmax[r] * scale : NEVER;
+      own.first = walks ? lesser(first[r], own.first) : own.first;
+      own.last = greater(last[r], own.last);
     }
-    f.first = minOfLanes(f.first);
-    f.last = maxOfLanes(f.last);
+    f.first = minOfLanes(own.first);
+    f.last = maxOfLanes(own.last);
 
-    stackSize = 0u;
+    stackSize = 0;
     uint ref = params.film.w;
-    ended = ref == REF_NONE;
-    while (working(ref)) {
-      while (ref < REF_LEAF && working(ref)) ref = enterNode(f, ref);
-      while (ref >= REF_LEAF && working(ref)) {
-        uint slot, meeting;
-        const LeafTriangle mine = loadLeaf(f, ref, slot, meeting);
-        while (meeting != 0u) {
-          iterations++;
-          const uint c = uint(findLSB(meeting));
-          meeting &= meeting - 1u;
-          const Shear axis = axisOf(f);
-          const vec3 pa = permute(axis, fromLane(mine.a, c) - f.origin);
-          const vec3 pb = permute(axis, fromLane(mine.b, c) - f.origin);
-          const vec3 pc = permute(axis, fromLane(mine.c, c) - f.origin);
-          const uint id = subgroupShuffle(mine.id, c);
-          [[unroll]] for (uint r = 0u; r < R; ++r) {
-            const Edges e = edgesOf(shears[r], pa, pb, pc);
-            const float depth = depthOf(e, pa.z, pb.z, pc.z);
-            const bool nearer = (group >> r & 1u) != 0u && e.inside && depth >= first[r] &&
-                                depth <= last[r] && (depth < last[r] || id < bestId[r]);
+    do {
+      do ref = enterNode(f, ref); while (ref < REF_LEAF);
+      do {
+        uint slot, mine;
+        const LeafTriangle leaf = loadLeaf(f, own, ref, slot, mine);
+        while (orOfLanes(mine) != 0u) {
+          const uint from = nextOf(mine);
+          const vec3 a = fromLane(leaf.a, from) - origin;
+          const vec3 b = fromLane(leaf.b, from) - origin;
+          const vec3 c = fromLane(leaf.c, from) - origin;
+          const uint id = subgroupShuffle(leaf.id, from);
+          FOR_RAYS (uint r = 0u; r < R; ++r) {
+            const Edges e = edgesOf(shears[r], a, b, c);
+            const float depth = depthOf(e, a.z, b.z, c.z);
+            // Equal depths: the smaller id, that is file order.
+            const bool nearer = e.inside && depth >= first[r] &&
+                                (depth < last[r] || (depth == last[r] && id < bestId[r]));
             last[r] = nearer ? depth : last[r];
-            best[r] = nearer ? slot + c : best[r];
+            best[r] = nearer ? slot + from : best[r];
             bestId[r] = nearer ? id : bestId[r];
           }
         }
-        f.last = -1.0;
-        [[unroll]] for (uint r = 0u; r < R; ++r)
-          f.last = (group >> r & 1u) != 0u ? max(f.last, last[r]) : f.last;
-        f.last = maxOfLanes(f.last);
+        own.last = NEVER;
+        FOR_RAYS (uint r = 0u; r < R; ++r) own.last = greater(last[r], own.last);
+        f.last = maxOfLanes(own.last);
         ref = pop();
-      }
-    }
-    incomplete = incomplete || !ended;
-  }
+      } while (ref >= REF_LEAF && ref != REF_NONE);
+    } while (ref != REF_NONE);
+    incomplete = incomplete || ref != REF_NONE;
+  } while (orOfLanes(waiting) != 0u);
   incomplete = incomplete || waiting != 0u;
   Hits hits;
-  [[unroll]] for (uint r = 0u; r < R; ++r) hits.slot[r] = best[r];
+  FOR_RAYS (uint r = 0u; r < R; ++r) hits.slot[r] = best[r];
   return hits;
 }
 
@@ -91,90 +85,91 @@ const float FAR_LIGHT = 4.0;
 // the points: rays are bounded by their slopes and by where they cross the nearest point's depth.
 // The triangle tests are made from the points, as in `lane`.
 void visible(vec3 light, vec3 points[R], bool live[R], out bool seen[R]) {
-  const bool distant = max(abs(light.x), max(abs(light.y), abs(light.z))) > FAR_LIGHT;
+  const float farthest = greater(abs(light.x), greater(abs(light.y), abs(light.z)));
+  const bool distant = farthest > FAR_LIGHT;
+  // From the light it is the same line with its direction turned.
+  const float turn = distant ? 1.0 : -1.0;
   Shear shears[R], walks[R];
-  float last[R];
   uint waiting = 0u;
-  [[unroll]] for (uint r = 0u; r < R; ++r) {
-    const vec3 d = light - points[r];
-    const Shear s = shearOf(d);
+  FOR_RAYS (uint r = 0u; r < R; ++r) {
+    const Shear s = shearOf(light - points[r]);
     shears[r] = s;
-    last[r] = alongAxis(abs(d), s.axis) * (1.0 + 2.4e-7);
-    // From the light it is the same line with its direction turned.
-    walks[r] = Shear(s.axis, distant ? s.sign : -s.sign, distant ? s.u : -s.u,
-                     distant ? s.v : -s.v);
+    walks[r] = Shear(s.axis, turn * s.sign, turn * s.u, turn * s.v);
     waiting |= live[r] ? 1u << r : 0u;
   }
   uint open = waiting;
 
-  Frustum f;
-  uint leadLane, leadRay;
-  while (leaderOf(waiting, leadLane, leadRay) && !incomplete) {
-    iterations++;
-    const uint group = gatherGroup(walks, waiting, leadLane, leadRay, f);
-    // The group's points as their own shears see them; permuting before subtracting changes no bit.
-    const Shear axis = Shear(f.axis, distant ? f.sign : -f.sign, 0.0, 0.0);
+  Frustum f, own;
+  do {
+    const uint group = gatherGroup(walks, waiting, f, own);
+    // The group's points and the light as the points' own shears see them.
+    const Shear axis = Shear(f.axis.axis, turn * f.axis.sign, 0.0, 0.0);
+    const vec3 lamp = permute(axis, light);
     vec3 from[R];
+    float last[R];
     float nearest = 3.4e38;
-    [[unroll]] for (uint r = 0u; r < R; ++r) {
+    FOR_RAYS (uint r = 0u; r < R; ++r) {
+      const bool walking = (group >> r & 1u) != 0u;
       from[r] = permute(axis, points[r]);
-      nearest = (group >> r & 1u) != 0u ? min(nearest, from[r].z) : nearest;
+      last[r] = walking ? (lamp.z - from[r].z) * DEPTH_SLACK : NEVER;
+      nearest = walking ? lesser(nearest, from[r].z) : nearest;
     }
     nearest = minOfLanes(nearest);
 
-    f.last = -1.0;
-    vec4 crossings = vec4(3.4e38, 3.4e38, -3.4e38, -3.4e38);
-    [[unroll]] for (uint r = 0u; r < R; ++r) {
-      const bool walksHere = (group >> r & 1u) != 0u;
+    own.window = vec4(3.4e38, 3.4e38, NEVER, NEVER);
+    own.last = NEVER;
+    FOR_RAYS (uint r = 0u; r < R; ++r) {
+      const bool walking = (group >> r & 1u) != 0u;
       const float ahead = distant ? from[r].z - nearest : 0.0;
-      const vec2 crossing = from[r].xy - vec2(walks[r].u, walks[r].v) * ahead;
-      crossings = walksHere ? hull(crossings, crossing) : crossings;
-      f.last = walksHere ? max(f.last, ahead + last[r]) : f.last;
+      const vec4 wider = hull(own.window, from[r].xy - vec2(walks[r].u, walks[r].v) * ahead);
+      own.window = walking ? wider : own.window;
+      own.last = walking ? greater(own.last, ahead + last[r]) : own.last;
     }
-    crossings = hullOfLanes(crossings);
     // With padOf's e and A: lines through the points miss the light by the rounding of d and of its
     // slopes, 7 e A; the triangle test at a point errs by 11 e 2; a blocker may seem to lie behind
-    // the light by 16 e A, which moves it sideways by as much; this walk errs by 2 e A: 47 in all.
+    // the light by 16 e A, which moves it sideways by as much; this walk errs by 3 e A: 48 in all.
     // From the points, crossings err by 5 e 2 instead of the first and the third.
-    if (distant) {
-      const float z = nearest * f.sign;
-      f.origin = vec3(f.axis == 0u ? z : 0.0, f.axis == 1u ? z : 0.0, f.axis == 2u ? z : 0.0);
-    } else {
-      f.origin = light;
-    }
-    const float pad = 3.0 * padOf(f.origin);
-    f.slack = distant ? vec4(pad - crossings.xy, pad + crossings.zw) : vec4(pad);
-    f.first = -padOf(f.origin);
-    f.last = maxOfLanes(f.last) * (1.0 + 2.4e-7) + pad;
-    stackSize = 0u;
+    const float pad = 3.0 * padOf(vec3(distant ? nearest : farthest, 0.0, 0.0));
+    own.depth = distant ? nearest : -lamp.z;
+    own.window = (distant ? own.window : lamp.xyxy) + vec4(-pad, -pad, pad, pad);
+    own.first = -pad;
+    own.last = own.last * DEPTH_SLACK + pad;
+    f.window = hullOfLanes(own.window);
+    f.depth = own.depth;
+    f.first = own.first;
+    f.last = maxOfLanes(own.last);
+
+    stackSize = 0;
     uint ref = params.film.w;
-    ended = ref == REF_NONE;
-    while (working(ref)) {
-      while (ref < REF_LEAF && working(ref)) ref = enterNode(f, ref);
-      while (ref >= REF_LEAF && working(ref)) {
-        uint slot, meeting;
-        const LeafTriangle mine = loadLeaf(f, ref, slot, meeting);
-        while (meeting != 0u) {
-          iterations++;
-          const uint c = uint(findLSB(meeting));
-          meeting &= meeting - 1u;
-          const vec3 a = fromLane(mine.a, c), b = fromLane(mine.b, c), d = fromLane(mine.c, c);
-          const vec3 n = permute(axis, crossProduct(b - a, d - a));
-          const vec3 pa = permute(axis, a), pb = permute(axis, b), pc = permute(axis, d);
-          const float lightSide = dotProduct(n, permute(axis, light) - pa);
-          [[unroll]] for (uint r = 0u; r < R; ++r) {
-            const bool blocked = blocks(shears[r], last[r], n, lightSide, pa - from[r],
-                                        pb - from[r], pc - from[r]);
-            open &= blocked && (group >> r & 1u) != 0u ? ~(1u << r) : ~0u;
+    do {
+      do ref = enterNode(f, ref); while (ref < REF_LEAF);
+      do {
+        uint slot, mine;
+        const LeafTriangle leaf = loadLeaf(f, own, ref, slot, mine);
+        while (orOfLanes(mine) != 0u) {
+          const uint lender = nextOf(mine);
+          const vec3 way = vec3(1.0, 1.0, turn);
+          const vec3 a = fromLane(leaf.a, lender) * way;
+          const vec3 b = fromLane(leaf.b, lender) * way;
+          const vec3 c = fromLane(leaf.c, lender) * way;
+          const vec3 n = crossProduct(b - a, c - a);
+          const float lightSide = dotProduct(n, lamp - a);
+          FOR_RAYS (uint r = 0u; r < R; ++r) {
+            const bool blocked = blocks(shears[r], last[r], n, lightSide, a - from[r],
+                                        b - from[r], c - from[r]);
+            open &= blocked ? ~(1u << r) : ~0u;
           }
         }
-        ref = orOfLanes(group & open) == 0u ? endWalk() : pop();
-      }
-    }
-    incomplete = incomplete || !ended;
-  }
+        own.last = (group & open) == 0u ? NEVER : own.last;
+        f.last = maxOfLanes(own.last);
+        const uint next = pop();
+        ref = f.last == NEVER ? REF_NONE : next;
+      } while (ref >= REF_LEAF && ref != REF_NONE);
+    } while (ref != REF_NONE);
+    incomplete = incomplete || ref != REF_NONE;
+  } while (orOfLanes(waiting) != 0u);
   incomplete = incomplete || waiting != 0u;
-  [[unroll]] for (uint r = 0u; r < R; ++r) seen[r] = (open >> r & 1u) != 0u;
+  FOR_RAYS (uint r = 0u; r < R; ++r) seen[r] = (open >> r & 1u) != 0u;
 }
 
 #endif

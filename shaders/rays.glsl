@@ -2,18 +2,17 @@
 // uniform control flow; rays that ask nothing are marked not live.
 #ifndef LAVER_RAYS
 #define LAVER_RAYS
-#include "shared/layout.h"
+#include "resources.glsl"
 
 #extension GL_EXT_control_flow_attributes : require
 
-// Loops over an invocation's rays that need no speed are kept as loops: kernels stay small.
 #ifdef LAVER_PACKET
 const uint R = 8;
-#define FOR_RAYS [[dont_unroll]] for
 #else
 const uint R = 1;
-#define FOR_RAYS [[unroll]] for
 #endif
+// Unrolled: lavapipe keeps arrays with constant indices in registers.
+#define FOR_RAYS [[unroll]] for
 
 // Rays origin + t * direction with tmin <= t <= tmax.
 struct Rays {
@@ -35,22 +34,17 @@ Hits closest(Rays rays);
 // seen[r] = nothing lies between the light and points[r]; false where not live.
 void visible(vec3 light, vec3 points[R], bool live[R], out bool seen[R]);
 
-// The guard of both traversals: an invocation that has run too many loops, or out of stack, gives
-// up and says so. working() is the condition of every loop over references. A driver may cut loops
-// short without a word, lavapipe after 65,535 turns of all loops of 8 lanes together: a walk that
-// ends in any other way than by an empty stack, or a blocker, is incomplete.
-uint iterations = 0u;
+// A driver may cut loops short without a word, lavapipe after 65,535 turns of all loops of 8 lanes
+// together: a walk that ends before its stack is empty raises this.
 bool incomplete = false;
-bool ended = false;
 
-bool working(uint ref) {
-  iterations++;
-  incomplete = incomplete || iterations >= MAX_ITERATIONS;
-  return ref != REF_NONE && !incomplete;
-}
-uint endWalk() {
-  ended = true;
-  return REF_NONE;
+// From there on lavapipe ends each loop after a turn, and this one tells. The compiler does not
+// know how often it turns.
+bool loopsWereCut() {
+  const uint wanted = 2u + (pass.region.z >> 31);
+  uint turns = 0u;
+  [[dont_unroll]] do turns++; while (turns < wanted);
+  return turns != wanted;
 }
 
 #endif

@@ -6,11 +6,13 @@
 layout(constant_id = SPEC_STACK) const uint STACK = 64;
 layout(constant_id = SPEC_NORMALS) const bool HAS_NORMALS = true;
 layout(constant_id = SPEC_ALBEDOS) const bool HAS_ALBEDOS = true;
-layout(constant_id = SPEC_LIGHTS) const bool HAS_LIGHTS = true;
+layout(constant_id = SPEC_LIGHTS) const uint LIGHTS = LIGHTS_MANY;
 layout(constant_id = SPEC_JUMP_LEVELS) const uint JUMP_LEVELS = 3;
 layout(constant_id = SPEC_FILTER) const uint FILTER = FILTER_GAUSSIAN;
 layout(constant_id = SPEC_APRON) const uint APRON = 2;
 layout(constant_id = SPEC_NORI_TABLE) const bool NORI_TABLE = false;
+
+const uint REACH = 2u * APRON + 1u;  // pixels on an axis that one sample reaches
 
 layout(std140, binding = BIND_PARAMS) uniform ParamsBlock { Params params; };
 layout(push_constant) uniform PassBlock { Pass pass; };
@@ -23,16 +25,24 @@ layout(binding = BIND_NORMALS) uniform usamplerBuffer normalTexels;
 layout(binding = BIND_MATERIALS) uniform usamplerBuffer materialTexels;
 layout(binding = BIND_LIGHTS) uniform usamplerBuffer lightTexels;
 layout(binding = BIND_JUMPS) uniform usamplerBuffer jumpTexels;
-layout(binding = BIND_RADIANCE) buffer RadianceBlock { vec4 radianceOf[]; };
-layout(binding = BIND_WEIGHTS) buffer WeightsBlock { float weightOf[]; };
+layout(binding = BIND_SAMPLES, rgba32f) uniform writeonly imageBuffer samples;
+layout(binding = BIND_SAMPLES_Y, r32f) uniform writeonly imageBuffer samplesY;
 layout(binding = BIND_FILM) buffer FilmBlock { FilmPixel filmPixels[]; };
 layout(binding = BIND_STATUS) buffer StatusBlock { Status status; };
-layout(binding = BIND_RADIANCE_TEXELS) uniform samplerBuffer radianceTexels;
-layout(binding = BIND_WEIGHT_TEXELS) uniform samplerBuffer weightTexels;
+layout(binding = BIND_SAMPLE_TEXELS) uniform samplerBuffer sampleTexels;
+layout(binding = BIND_SAMPLE_Y_TEXELS) uniform samplerBuffer sampleYTexels;
 
 vec3 texelVec3(uvec4 texel) { return uintBitsToFloat(texel.xyz); }
 
-// Samples of a pass; sample s of region pixel (x, y) is number (s * height + y) * width + x.
-uint samplesOfPass() { return pass.region.z * pass.region.w * pass.samples.y; }
+// Where sample s of region pixel (x, y) lies: in columns of 8 pixels, so that gathering goes
+// through memory from front to back.
+int sampleSlot(uvec3 xys) {
+  const bool whole = pass.samples.y >= GATHER_SAMPLES;
+  const uint unit = whole ? GATHER_SAMPLES : pass.samples.y;
+  const uint units = whole ? (pass.samples.y + GATHER_SAMPLES - 1u) / GATHER_SAMPLES : 1u;
+  const uint number = whole ? xys.z / GATHER_SAMPLES : 0u;
+  const uint block = (xys.x / 8u * units + number) * pass.region.w + xys.y;
+  return int((block * unit + (xys.z - number * GATHER_SAMPLES)) * 8u + xys.x % 8u);
+}
 
 #endif

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "bvh/binary.h"
 #include "bvh/flatten.h"
 #include "core/error.h"
@@ -10,7 +12,15 @@
 namespace laver {
 
 Bvh buildBvh(std::span<const shared::Triangle> triangles, unsigned threads) {
-  if (triangles.empty()) return {};
+  if (triangles.empty()) {
+    Bvh empty;
+    shared::Child none{};
+    none.ref = shared::REF_NONE;
+    shared::Node root;
+    std::fill_n(root.child, shared::NODE_WIDTH, none);
+    empty.nodes.push_back(root);
+    return empty;
+  }
   // All ones in the index would be REF_NONE's.
   if (triangles.size() > shared::REF_INDEX_MASK)
     throw Error(ExitCode::Device, fmt::format("{} triangles; a tree holds at most {}",

@@ -11,7 +11,7 @@ namespace laver {
 struct Bvh {
   UninitialisedVector<shared::Node> nodes;
   UninitialisedVector<shared::Triangle> triangles;  ///< in the order of the leaves
-  std::uint32_t root = shared::REF_NONE;            ///< REF_NONE for no triangles
+  std::uint32_t root = 0;                           ///< always a node
   std::uint32_t depth = 0;                          ///< nodes on the longest path
   std::uint32_t stack = 1;                          ///< entries that a traversal can need at most
   double sahCost = 0;                               ///< with kNodeCost and kTriangleCost (wide.h)

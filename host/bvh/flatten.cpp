@@ -58,13 +58,8 @@ class Flattener {
     const Subtree root = tree_.root();
     const double area = static_cast<double>(tree_.box(root).halfArea());
     Totals totals;
-    if (isLeaf(root)) {
-      bvh_.root = kLeaf;
-      totals = leaf(root);
-    } else {
-      bvh_.root = 0;
-      totals = nodes(root);
-    }
+    bvh_.root = 0;
+    totals = nodes(root);
     bvh_.depth = totals.depth;
     bvh_.stack = totals.stack;
     bvh_.leaves = totals.leaves;
@@ -136,8 +131,10 @@ class Flattener {
     return s.count == 1 || tree_.nodes[s.node].choices.left(1) == 0;
   }
 
+  /// The root is a node even where it is best a leaf: then it has that one child.
   Children childrenOf(const Subtree& s) const {
     Children children;
+    if (isLeaf(s)) return {{s}, {true}, 1};
     const unsigned left = tree_.nodes[s.node].choices.left(1);
     expand(tree_.left(s), left, children);
     expand(tree_.right(s), NODE_WIDTH - left, children);

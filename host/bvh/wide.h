@@ -8,7 +8,7 @@ namespace laver {
 
 /// What a node costs against one triangle test, for every SAH figure of this folder.
 inline constexpr float kNodeCost = 1.0F;
-inline constexpr float kTriangleCost = 0.3F;
+inline constexpr float kTriangleCost = 0.06F;
 
 /// Least costs of a binary subtree collapsed into at most 1, 2 ... 8 wide trees (Ylitie, Karras and
 /// Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", HPG 2017,

@@ -77,8 +77,10 @@ void packFilter(const Filter& f, SceneData& data) {
     args.z = static_cast<float>(f.C);
   }
   // Nori's table: 32 entries over the radius, and a last one of 0.
+  const bool nori = data.constants[shared::SPEC_NORI_TABLE] != 0;
   for (int i = 0; i < 32; ++i)
-    data.params.table[i / 4][i % 4] = static_cast<float>(evaluate(f, f.radius * i / 32.0));
+    data.params.table[i / 4][i % 4] =
+        static_cast<float>(nori ? evaluate(f, f.radius * i / 32.0) : std::exp(alpha * i * i));
   data.params.table[8] = vec4(0.0F);
 }
 

@@ -12,8 +12,9 @@ std::array<VkDescriptorType, shared::BINDINGS> bindingTypes() {
   std::array<VkDescriptorType, shared::BINDINGS> types;
   types.fill(VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER);
   types[shared::BIND_PARAMS] = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-  for (const auto b :
-       {shared::BIND_RADIANCE, shared::BIND_WEIGHTS, shared::BIND_FILM, shared::BIND_STATUS})
+  for (const auto b : {shared::BIND_SAMPLES, shared::BIND_SAMPLES_Y})
+    types[b] = VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER;
+  for (const auto b : {shared::BIND_FILM, shared::BIND_STATUS})
     types[b] = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
   return types;
 }
@@ -35,30 +36,34 @@ DeviceScene::DeviceScene(const Device& device, const SceneData& data, const Rend
   buffers_.push_back(std::move(params));
 
   uploadTexels(shared::BIND_NODES, "BVH nodes", data.bvh.nodes);
-  uploadTexels(shared::BIND_TRIANGLES, "triangles", data.bvh.triangles);
+  // A packet's lanes read a leaf's triangles and what follows, which must not be met.
+  uploadTexels(shared::BIND_TRIANGLES, "triangles", data.bvh.triangles,
+               (shared::MAX_LEAF - 1) * sizeof(shared::Triangle));
   uploadTexels(shared::BIND_ATTRIBUTES, "attributes", data.attributes);
   uploadTexels(shared::BIND_NORMALS, "normals", data.normals);
   uploadTexels(shared::BIND_MATERIALS, "materials", data.materials);
   uploadTexels(shared::BIND_LIGHTS, "lights", data.lights);
   uploadTexels(shared::BIND_JUMPS, "sampler tables", data.jumps);
 
-  Buffer radiance(device, "samples", Buffer::Use::StorageTexels,
-                  notPowerOfTwo(plan.sampleSlots * kRadianceBytes, 16));
-  bindings_.bind(shared::BIND_RADIANCE, radiance);
-  bindTexels(shared::BIND_RADIANCE_TEXELS, radiance, VK_FORMAT_R32G32B32A32_SFLOAT);
-  buffers_.push_back(std::move(radiance));
-  Buffer weights(
-      device, "filter weights", Buffer::Use::StorageTexels,
-      notPowerOfTwo(plan.sampleSlots * weightBytes(data.constants[shared::SPEC_APRON]), 4));
-  bindings_.bind(shared::BIND_WEIGHTS, weights);
-  bindTexels(shared::BIND_WEIGHT_TEXELS, weights, VK_FORMAT_R32_SFLOAT);
-  buffers_.push_back(std::move(weights));
+  samples(shared::BIND_SAMPLES, shared::BIND_SAMPLE_TEXELS, plan.sampleSlots, 16,
+          VK_FORMAT_R32G32B32A32_SFLOAT);
+  samples(shared::BIND_SAMPLES_Y, shared::BIND_SAMPLE_Y_TEXELS, plan.sampleSlots, 4,
+          VK_FORMAT_R32_SFLOAT);
 
   film_ = Buffer(device, "film", Buffer::Use::Storage, plan.bandPixels * sizeof(shared::FilmPixel));
   bindings_.bind(shared::BIND_FILM, film_);
   status_ = Buffer(device, "status", Buffer::Use::Storage, sizeof(shared::Status));
   bindings_.bind(shared::BIND_STATUS, status_);
   status_.fillZero();
+}
+
+void DeviceScene::samples(std::uint32_t written, std::uint32_t read, std::uint64_t slots,
+                          VkDeviceSize texel, VkFormat format) {
+  Buffer buffer(device_, "samples", Buffer::Use::StorageTexels,
+                notPowerOfTwo(slots * texel, texel));
+  bindTexels(written, buffer, format);
+  bindTexels(read, buffer, format);
+  buffers_.push_back(std::move(buffer));
 }
 
 void DeviceScene::bindTexels(std::uint32_t binding, const Buffer& buffer, VkFormat format) {
@@ -68,11 +73,12 @@ void DeviceScene::bindTexels(std::uint32_t binding, const Buffer& buffer, VkForm
 
 template <class T, class A>
 void DeviceScene::uploadTexels(std::uint32_t binding, const char* what,
-                               const std::vector<T, A>& data) {
+                               const std::vector<T, A>& data, VkDeviceSize zeros) {
   static_assert(sizeof(T) % 16 == 0);
   // A kernel that does not read the binding still needs something bound there.
-  const VkDeviceSize bytes = std::max<VkDeviceSize>(data.size() * sizeof(T), 3 * 16);
+  const VkDeviceSize bytes = std::max<VkDeviceSize>(data.size() * sizeof(T) + zeros, 3 * 16);
   Buffer buffer(device_, what, Buffer::Use::Texels, notPowerOfTwo(bytes, 16));
+  if (zeros != 0) buffer.fillZero(data.size() * sizeof(T));
   if (!data.empty()) buffer.upload(std::as_bytes(std::span(data)));
   bindTexels(binding, buffer, kTexels);
   buffers_.push_back(std::move(buffer));

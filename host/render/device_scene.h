@@ -18,9 +18,12 @@ class DeviceScene {
   const Buffer& status() const { return status_; }
 
  private:
+  void samples(std::uint32_t written, std::uint32_t read, std::uint64_t slots, VkDeviceSize texel,
+               VkFormat format);
   void bindTexels(std::uint32_t binding, const Buffer& buffer, VkFormat format);
   template <class T, class A>
-  void uploadTexels(std::uint32_t binding, const char* what, const std::vector<T, A>& data);
+  void uploadTexels(std::uint32_t binding, const char* what, const std::vector<T, A>& data,
+                    VkDeviceSize zeros = 0);
 
   const Device& device_;
   Bindings bindings_;

@@ -3,6 +3,7 @@
 #include <future>
 
 #include "render/device_scene.h"
+#include "render/renderer.h"
 
 namespace laver {
 
@@ -24,7 +25,11 @@ Kernels compileKernels(const Device& device, const std::string& traceName,
   smallest.sampleSlots = smallest.bandPixels = 3;  // no power of two, as DeviceScene has it
   const DeviceScene standIn(device, nothing, smallest);
   auto gather = std::async(std::launch::async, [&] {
-    return compileKernel(device, standIn.bindings(), "gather", constants);
+    // gather_packet.glsl says what it asks for.
+    const bool packet =
+        bestTraversal(device.info()) == "packet" && constants[shared::SPEC_APRON] <= 4;
+    return compileKernel(device, standIn.bindings(), packet ? "gather_packet" : "gather_lane",
+                         constants);
   });
   Kernel trace = compileKernel(device, standIn.bindings(), traceName, constants);
   return {std::move(trace), gather.get()};

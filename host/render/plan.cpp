@@ -13,20 +13,35 @@ glm::uvec4 regionOf(Crop core, std::uint32_t apron, int width, int height) {
   return {x0, y0, x1 - x0, y1 - y0};
 }
 
+namespace {
+
+/// Loop iterations of gather.comp for one sample index, its loops' own turns included.
+std::uint64_t gatherTurns(std::uint64_t rows, std::uint64_t apron) {
+  return (rows + 2 * apron) * (2 * apron + 1 + 2);
+}
+
+/// Long columns share most reads, short ones are many: a CPU wants the first.
+constexpr std::uint32_t kGatherRows = 32;
+/// Samples of a pixel that a pass takes if there is room, so that they are traced side by side.
+constexpr std::uint64_t kSideBySide = 16;
+
+}  // namespace
+
 RenderPlan planRender(const VkPhysicalDeviceLimits& limits, Crop core, int width, int height,
                       std::uint32_t apron, std::uint32_t samples, std::uint64_t maxSlots) {
-  // 2^21 samples take 117 MB with the default filter and fill a GPU; a dispatch of as many rays
-  // ends well within a watchdog's seconds.
-  std::uint64_t slots = maxSlots == 0 ? std::uint64_t{1} << 21 : maxSlots;
-  slots =
-      std::min(slots, limits.maxStorageBufferRange / std::max(kRadianceBytes, weightBytes(apron)));
-  slots = std::min<std::uint64_t>(slots, limits.maxTexelBufferElements / (2 * (2 * apron + 1)));
+  // 2^22 samples take 84 MB and fill a GPU; a dispatch of as many rays ends well within a
+  // watchdog's seconds.
+  std::uint64_t slots = maxSlots == 0 ? std::uint64_t{1} << 22 : maxSlots;
+  slots = std::min(slots, limits.maxStorageBufferRange / kSampleBytes);
+  slots = std::min<std::uint64_t>(slots, limits.maxTexelBufferElements);
   const std::uint64_t filmRows = limits.maxStorageBufferRange / sizeof(shared::FilmPixel) /
                                  static_cast<std::uint64_t>(core.x1 - core.x0);
 
   const glm::uvec4 full = regionOf(core, apron, width, height);
-  const std::uint64_t a = apron;
-  const std::uint64_t smallest = full.z * std::min<std::uint64_t>(2 * a + 1, full.w);
+  const std::uint64_t a = apron, slotsARow = (full.z + 7) / 8 * 8;
+  const std::uint64_t unit = std::min(samples, shared::GATHER_SAMPLES);
+  const std::uint64_t fewestRows = std::min<std::uint64_t>(2 * a + 1, full.w);
+  const std::uint64_t smallest = slotsARow * fewestRows * unit;
   if (smallest > slots && maxSlots == 0)
     throw Error(ExitCode::Device,
                 fmt::format("one row of {} pixels with its filter apron needs {} samples in "
@@ -34,29 +49,43 @@ RenderPlan planRender(const VkPhysicalDeviceLimits& limits, Crop core, int width
                             "maxTexelBufferElements allow {}",
                             full.z, smallest, slots));
   slots = std::max(slots, smallest);
+
+  std::uint32_t gatherRows = kGatherRows;
+  while (gatherRows > 1 && gatherTurns(gatherRows, a) * unit > shared::MAX_ITERATIONS)
+    gatherRows /= 2;
+  const std::uint64_t turns = gatherTurns(gatherRows, a);
+  if (turns * unit > shared::MAX_ITERATIONS)
+    throw Error(ExitCode::Device,
+                fmt::format("the filter reaches {} pixels to each side; gathering takes {} loop "
+                            "iterations, one invocation may run {}",
+                            apron, turns * unit, shared::MAX_ITERATIONS));
+  const std::uint64_t most =
+      std::min({std::uint64_t{shared::MAX_ITERATIONS} / turns, std::uint64_t{samples},
+                std::uint64_t{limits.maxComputeWorkGroupCount[2]}});
+  const auto passOf = [&](std::uint64_t regionRows) {
+    const std::uint64_t pass = std::min(slots / (slotsARow * regionRows), most);
+    return pass == samples ? pass : std::max(pass / unit * unit, unit);
+  };
+
+  // Rows give way to samples side by side, but not below four times the rows that only overlap.
   const auto coreRows = static_cast<std::uint64_t>(core.y1 - core.y0);
-  std::uint64_t rows = slots / full.z;
+  const std::uint64_t wanted = std::min<std::uint64_t>(most, kSideBySide);
+  std::uint64_t rows =
+      std::max({slots / slotsARow / wanted, std::min(8 * a, slots / slotsARow / unit), fewestRows});
   rows = full.w <= rows ? coreRows : std::max<std::uint64_t>(rows, 2 * a + 1) - 2 * a;
   rows = std::max<std::uint64_t>(
       1, std::min({rows, coreRows, filmRows, std::uint64_t{limits.maxComputeWorkGroupCount[1]}}));
-
-  // Iterations of gather.comp for one sample index, its loops' own turns included.
-  const std::uint64_t side = 2 * a + 1;
-  const std::uint64_t turns = side * (side + 1) + 1;
-  if (turns > shared::MAX_ITERATIONS)
-    throw Error(ExitCode::Device,
-                fmt::format("the filter reaches {} pixels to each side; gathering takes {} loop "
-                            "iterations a sample, one invocation may run {}",
-                            apron, turns, shared::MAX_ITERATIONS));
   const std::uint64_t regionRows = std::min<std::uint64_t>(rows + 2 * a, full.w);
-  const std::uint64_t pass =
-      std::min({std::max<std::uint64_t>(slots / (full.z * regionRows), 1),
-                std::uint64_t{shared::MAX_ITERATIONS} / turns, std::uint64_t{samples},
-                std::uint64_t{limits.maxComputeWorkGroupCount[2]}});
-  Device::requireLimit("maxComputeWorkGroupCount[0]", (full.z + 7) / 8,
+  const std::uint64_t pass = passOf(regionRows);
+  // Tiles of samples side by side are as small as two pixels.
+  Device::requireLimit("maxComputeWorkGroupCount[0]", (full.z + 1) / 2,
                        limits.maxComputeWorkGroupCount[0]);
-  return {core, static_cast<std::uint32_t>(rows), static_cast<std::uint32_t>(pass),
-          full.z * regionRows * pass, static_cast<std::uint64_t>(core.x1 - core.x0) * rows};
+  return {core,
+          static_cast<std::uint32_t>(rows),
+          static_cast<std::uint32_t>(pass),
+          slotsARow * regionRows * ((pass + unit - 1) / unit * unit),
+          static_cast<std::uint64_t>(core.x1 - core.x0) * rows,
+          gatherRows};
 }
 
 }  // namespace laver

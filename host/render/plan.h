@@ -11,14 +11,15 @@ namespace laver {
 /// How a render is cut: bands of rows one after the other, each in passes of few samples, so that
 /// memory grows neither with the film nor with the sample count and every dispatch is short.
 struct RenderPlan {
-  Crop core;               ///< what is wanted, film pixels
-  std::uint32_t bandRows;  ///< rows of the core a band
-  std::uint32_t samplesAPass;
-  std::uint64_t sampleSlots;  ///< samples that the largest pass holds
-  std::uint64_t bandPixels;   ///< pixels that the largest band reconstructs
+  Crop core;                   ///< what is wanted, film pixels
+  std::uint32_t bandRows;      ///< rows of the core a band
+  std::uint32_t samplesAPass;  ///< all, or a multiple of GATHER_SAMPLES
+  std::uint64_t sampleSlots;   ///< samples that the largest pass holds
+  std::uint64_t bandPixels;    ///< pixels that the largest band reconstructs
+  std::uint32_t gatherRows;    ///< rows of pixels that an invocation reconstructs
 };
 
-/// Cuts a film of `width` x `height` pixels. At most `maxSlots` samples are in flight (0: 2^21).
+/// Cuts a film of `width` x `height` pixels. At most `maxSlots` samples are in flight (0: 2^22).
 /// Throws Error(Device) where the device cannot hold even the smallest piece.
 RenderPlan planRender(const VkPhysicalDeviceLimits& limits, Crop core, int width, int height,
                       std::uint32_t apron, std::uint32_t samples, std::uint64_t maxSlots);
@@ -26,8 +27,7 @@ RenderPlan planRender(const VkPhysicalDeviceLimits& limits, Crop core, int width
 /// Region (core rows [y0, y1) with the apron, cut to the film) as x, y, width, height.
 glm::uvec4 regionOf(Crop core, std::uint32_t apron, int width, int height);
 
-/// Bytes that one sample in flight takes in the radiance and in the weights buffer.
-inline constexpr std::uint64_t kRadianceBytes = 16;
-inline std::uint64_t weightBytes(std::uint32_t apron) { return 8 * (2 * std::uint64_t{apron} + 1); }
+/// Bytes of a sample in flight in the larger of its two buffers.
+inline constexpr std::uint64_t kSampleBytes = 16;
 
 }  // namespace laver

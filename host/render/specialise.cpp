@@ -11,10 +11,15 @@ namespace {
 /// Entries that suffice for meshes of tens of thousands to a million triangles (48 to 63).
 constexpr std::uint32_t kLikelyStack = 64;
 
-std::uint32_t filterConstant(Filter::Kind kind) {
-  switch (kind) {
-    case Filter::Kind::Gaussian:
-      return shared::FILTER_GAUSSIAN;
+std::uint32_t filterConstant(const Filter& filter) {
+  switch (filter.kind) {
+    case Filter::Kind::Gaussian: {
+      // exp(alpha * apron) and its inverse stay far from the range of floats.
+      const double alpha = 0.5 / (filter.stddev * filter.stddev);
+      const std::uint32_t apron = apronOf(filter.radius);
+      return apron <= 8 && alpha * apron <= 60.0 ? shared::FILTER_GAUSSIAN_NARROW
+                                                 : shared::FILTER_GAUSSIAN;
+    }
     case Filter::Kind::Mitchell:
       return shared::FILTER_MITCHELL;
     case Filter::Kind::Tent:
@@ -40,9 +45,12 @@ SpecConstants specialise(const Scene& scene, const RenderOptions& options, bool 
   constants[shared::SPEC_STACK] = kLikelyStack;
   constants[shared::SPEC_NORMALS] = normals || generic ? 1 : 0;
   constants[shared::SPEC_ALBEDOS] = albedos || generic ? 1 : 0;
-  constants[shared::SPEC_LIGHTS] = (shaded && !scene.lights.empty()) || generic ? 1 : 0;
+  constants[shared::SPEC_LIGHTS] =
+      generic || (shaded && scene.lights.size() > shared::LIGHTS_A_DISPATCH) ? shared::LIGHTS_MANY
+      : shaded && !scene.lights.empty()                                      ? shared::LIGHTS_FEW
+                                                                             : shared::LIGHTS_NONE;
   constants[shared::SPEC_JUMP_LEVELS] = generic ? 3 : jumpLevels(scene.sampler.sampleCount);
-  constants[shared::SPEC_FILTER] = filterConstant(scene.filter.kind);
+  constants[shared::SPEC_FILTER] = filterConstant(scene.filter);
   constants[shared::SPEC_APRON] = apronOf(scene.filter.radius);
   constants[shared::SPEC_NORI_TABLE] = options.noriCompat ? 1 : 0;
   return constants;

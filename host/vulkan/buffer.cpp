@@ -20,7 +20,8 @@ VkBufferUsageFlags usage(Buffer::Use use) {
     case Buffer::Use::StorageTexels:
       break;
   }
-  return transfer | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
+  return transfer | VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT |
+         VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
 }
 
 Handle<VkBuffer> createBuffer(const Device& device, VkBufferUsageFlags flags, VkDeviceSize bytes) {
@@ -48,8 +49,7 @@ Buffer::Buffer(const Device& device, const char* what, Use use, VkDeviceSize byt
                                                 limit, available));
   };
   require("maxMemoryAllocationSize", device.maxAllocation());
-  if (use == Use::Storage || use == Use::StorageTexels)
-    require("maxStorageBufferRange", limits.maxStorageBufferRange);
+  if (use == Use::Storage) require("maxStorageBufferRange", limits.maxStorageBufferRange);
   if (use == Use::Uniform) require("maxUniformBufferRange", limits.maxUniformBufferRange);
   buffer_ = createBuffer(device, usage(use), bytes);
   allocate(device, what, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | kHost,
@@ -134,9 +134,9 @@ std::span<const std::byte> Buffer::contents(VkDeviceSize bytes,
   return copy;
 }
 
-void Buffer::fillZero() const {
+void Buffer::fillZero(VkDeviceSize from) const {
   device_->run(
-      [&](VkCommandBuffer commands) { vkCmdFillBuffer(commands, get(), 0, VK_WHOLE_SIZE, 0); });
+      [&](VkCommandBuffer commands) { vkCmdFillBuffer(commands, get(), from, VK_WHOLE_SIZE, 0); });
 }
 
 Handle<VkBufferView> Buffer::texelView(VkFormat format) const {

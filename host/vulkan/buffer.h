@@ -22,7 +22,7 @@ class Buffer {
 
   void upload(std::span<const std::byte> data) const;
   void download(std::span<std::byte> data) const;
-  void fillZero() const;
+  void fillZero(VkDeviceSize from = 0) const;
   /// The first `bytes`: in place where the host reads them at speed, else downloaded to `copy`.
   std::span<const std::byte> contents(VkDeviceSize bytes, std::vector<std::byte>& copy) const;
 

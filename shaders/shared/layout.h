@@ -5,7 +5,8 @@
 
 LAVER_SHARED_BEGIN
 
-// Bindings of descriptor set 0. T: texel buffer of uvec4, S: storage buffer, U: uniform buffer.
+// Bindings of descriptor set 0. T: texel buffer of uvec4, S: storage buffer, U: uniform buffer,
+// I: storage texel buffer (on lavapipe a vec4 is stored to one in half the time).
 LAVER_CONST uint BIND_PARAMS = 0;      // U Params
 LAVER_CONST uint BIND_NODES = 1;       // T Node
 LAVER_CONST uint BIND_TRIANGLES = 2;   // T Triangle
@@ -14,19 +15,19 @@ LAVER_CONST uint BIND_NORMALS = 4;     // T vec4, one a vertex normal
 LAVER_CONST uint BIND_MATERIALS = 5;   // T Material
 LAVER_CONST uint BIND_LIGHTS = 6;      // T Light
 LAVER_CONST uint BIND_JUMPS = 7;       // T Jump
-LAVER_CONST uint BIND_RADIANCE = 8;    // S vec4, one a sample: r, g, b, 1 or 0 where dropped
-LAVER_CONST uint BIND_WEIGHTS = 9;     // S float, [axis][offset][sample]
+LAVER_CONST uint BIND_SAMPLES = 8;     // I vec4, one a sample: r, g, b, x in its pixel or DROPPED
+LAVER_CONST uint BIND_SAMPLES_Y = 9;   // I float, one a sample: y in its pixel
 LAVER_CONST uint BIND_FILM = 10;       // S FilmPixel
 LAVER_CONST uint BIND_STATUS = 11;     // S Status
-LAVER_CONST uint BIND_RADIANCE_TEXELS = 12;  // T the radiance buffer, for reading
-LAVER_CONST uint BIND_WEIGHT_TEXELS = 13;    // T the weights buffer, one float a texel
+LAVER_CONST uint BIND_SAMPLE_TEXELS = 12;    // T of vec4: the samples, for reading
+LAVER_CONST uint BIND_SAMPLE_Y_TEXELS = 13;  // T of float
 LAVER_CONST uint BINDINGS = 14;
 
 // Specialisation constants: what the scene needs (shaders/*.glsl say what each leaves out).
 LAVER_CONST uint SPEC_STACK = 0;         // entries of the traversal stack
 LAVER_CONST uint SPEC_NORMALS = 1;       // some mesh has vertex normals
 LAVER_CONST uint SPEC_ALBEDOS = 2;       // the meshes differ in albedo
-LAVER_CONST uint SPEC_LIGHTS = 3;        // the scene has lights
+LAVER_CONST uint SPEC_LIGHTS = 3;        // LIGHTS_*
 LAVER_CONST uint SPEC_JUMP_LEVELS = 4;   // 1 to 3 tables of the sampler are needed
 LAVER_CONST uint SPEC_FILTER = 5;        // FILTER_*
 LAVER_CONST uint SPEC_APRON = 6;         // pixels on each side that a sample can reach
@@ -37,15 +38,23 @@ LAVER_CONST uint FILTER_GAUSSIAN = 0;
 LAVER_CONST uint FILTER_MITCHELL = 1;
 LAVER_CONST uint FILTER_TENT = 2;
 LAVER_CONST uint FILTER_BOX = 3;
+LAVER_CONST uint FILTER_GAUSSIAN_NARROW = 4;  // whose weights filter.glsl makes by products
 
-LAVER_CONST uint GATHER_GROUP_X = 32;
-LAVER_CONST uint GATHER_GROUP_Y = 2;
-
-// Lights looked at in one dispatch; more are summed in further dispatches, so that an invocation
-// stays far below lavapipe's 65,535 loop iterations.
+// The scene's lights: none, so few that one dispatch looks at all, or more. Those are summed in
+// further dispatches, so that an invocation stays far below lavapipe's 65,535 loop iterations.
+LAVER_CONST uint LIGHTS_NONE = 0;
+LAVER_CONST uint LIGHTS_FEW = 1;
+LAVER_CONST uint LIGHTS_MANY = 2;
 LAVER_CONST uint LIGHTS_A_DISPATCH = 8;
-// Loop iterations after which an invocation gives up and raises Status.incomplete; the margin to
-// 65,535 is for the loops that do not count: lights and the last turn of each loop.
+
+LAVER_CONST uint GATHER_GROUP = 64;  // columns
+// Samples of a pixel that are summed plainly before a compensated sum takes them: a pass holds a
+// multiple of them, so that cutting a render into passes changes no bit.
+LAVER_CONST uint GATHER_SAMPLES = 4;
+// Where the position of a sample that is left out stands: no filter reaches it.
+LAVER_CONST float DROPPED = 1e6f;
+
+// Loop iterations that one invocation is given to do; lavapipe stops without a word at 65,535.
 LAVER_CONST uint MAX_ITERATIONS = 60000;
 
 // A child reference: REF_NONE, a node's index, or REF_LEAF | kind << REF_KIND_SHIFT | first slot.
@@ -123,14 +132,16 @@ struct Params {
   uvec4 seed;      // low, high, -, -
   uvec4 jumps;     // first texel of the tables by sample (low, high part), samples of the low part
   vec4 filterArgs; // radius and three numbers that filter.glsl explains
-  vec4 table[9];   // Nori's table, 33 entries
+  vec4 table[9];   // Nori's table, 33 entries, or for FILTER_GAUSSIAN_NARROW exp(alpha k^2)
 };
 
 // Push constants of both kernels.
 struct Pass {
   uvec4 region;  // x, y, width, height in film pixels: what is traced, apron included
   uvec4 core;    // x, y, width, height in film pixels: what is reconstructed
-  uvec4 samples; // first, count, rows of tiles, stride that permutes them
+  uvec4 samples; // first, count
+  uvec4 tiles;   // trace: rows, stride that permutes them, log2 of samples side by side, first
+                 // sample of the dispatch; gather: rows of pixels an invocation
   uvec4 lights;  // first, count, 1 in the first dispatch of a pass, 1 in the last
 };
 
@@ -142,7 +153,7 @@ struct FilmPixel {
 
 struct Status {
   uint dropped;     // samples not finite or negative, in the core
-  uint incomplete;  // invocations that gave up
+  uint incomplete;  // invocations whose loops were cut short
 };
 
 #ifdef __cplusplus
@@ -153,8 +164,8 @@ static_assert(sizeof(Attributes) == 16);
 static_assert(sizeof(Material) == 16);
 static_assert(sizeof(Light) == 32 && offsetof(Light, radiance) == 16);
 static_assert(sizeof(Jump) == 16);
-static_assert(sizeof(Params) == 304 && offsetof(Params, film) == 96 && offsetof(Params, table) == 160);
-static_assert(sizeof(Pass) == 64);
+static_assert(sizeof(Params) == 304 && offsetof(Params, film) == 96);
+static_assert(sizeof(Pass) == 80);
 static_assert(sizeof(FilmPixel) == 32);
 static_assert(sizeof(Status) == 8);
 #endif

@@ -9,6 +9,16 @@
 
 LAVER_SHARED_BEGIN
 
+// min and max that are one instruction: b where a is NaN.
+LAVER_FN float lesser(float a, float b) {
+  LAVER_PRECISE float result = a < b ? a : b;
+  return result;
+}
+LAVER_FN float greater(float a, float b) {
+  LAVER_PRECISE float result = a > b ? a : b;
+  return result;
+}
+
 // a * b - c * d.
 LAVER_FN float differenceOfProducts(float a, float b, float c, float d) {
   LAVER_PRECISE float product = c * d;
@@ -79,8 +89,10 @@ LAVER_FN Edges edgesOf(Shear shear, vec3 a, vec3 b, vec3 c) {
   e.c = differenceOfProducts(bx, ay, by, ax);
   LAVER_PRECISE float sum = e.a + e.b + e.c;
   e.sum = sum;
-  e.inside = sum != 0.0f && ((e.a >= 0.0f && e.b >= 0.0f && e.c >= 0.0f) ||
-                             (e.a <= 0.0f && e.b <= 0.0f && e.c <= 0.0f));
+  // All of them >= 0 or all <= 0, and not all zero; false if one is NaN.
+  float least = lesser(e.a, lesser(e.b, e.c));
+  float most = greater(e.a, greater(e.b, e.c));
+  e.inside = (least >= 0.0f || most <= 0.0f) && abs(sum) > 0.0f;
   return e;
 }
 
@@ -89,7 +101,7 @@ LAVER_FN Edges edgesOf(Shear shear, vec3 a, vec3 b, vec3 c) {
 // pruning by depth never changes which hit wins.
 LAVER_FN float depthOf(Edges e, float az, float bz, float cz) {
   LAVER_PRECISE float depth = (e.a * az + e.b * bz + e.c * cz) / e.sum;
-  return max(min(az, min(bz, cz)), min(depth, max(az, max(bz, cz))));
+  return greater(lesser(az, lesser(bz, cz)), lesser(depth, greater(az, greater(bz, cz))));
 }
 
 // Does a triangle block the view between a point and a light? Everything is permuted for the line
@@ -103,7 +115,8 @@ LAVER_FN bool blocks(Shear shear, float last, vec3 normal, float lightSide, vec3
   Edges e = edgesOf(shear, a, b, c);
   float side = dotProduct(normal, a);  // of the point, negated
   bool apart = (lightSide > 0.0f && side > 0.0f) || (lightSide < 0.0f && side < 0.0f);
-  return e.inside && apart && min(a.z, min(b.z, c.z)) <= last && max(a.z, max(b.z, c.z)) >= 0.0f;
+  return e.inside && apart && lesser(a.z, lesser(b.z, c.z)) <= last &&
+         greater(a.z, greater(b.z, c.z)) >= 0.0f;
 }
 
 LAVER_SHARED_END

@@ -3,6 +3,7 @@
 #define LAVER_SHARED_TYPES_H
 
 #ifdef __cplusplus
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <glm/glm.hpp>
@@ -15,8 +16,16 @@ using glm::vec4;
 using uint = unsigned int;
 using std::abs;
 using std::fma;
+using std::sqrt;
+inline uint floatBitsToUint(float x) { return std::bit_cast<uint>(x); }
+inline float uintBitsToFloat(uint x) { return std::bit_cast<float>(x); }
+#ifdef LAVER_NAN_PROPAGATES  // for tests: what GLSL leaves open
+inline float min(float a, float b) { return a != a || b != b ? a + b : (b < a ? b : a); }
+inline float max(float a, float b) { return a != a || b != b ? a + b : (a < b ? b : a); }
+#else
 inline float min(float a, float b) { return b < a ? b : a; }
 inline float max(float a, float b) { return a < b ? b : a; }
+#endif
 }  // namespace laver::shared
 #define LAVER_SHARED_BEGIN namespace laver::shared {
 #define LAVER_SHARED_END }

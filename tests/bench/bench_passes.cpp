@@ -71,39 +71,27 @@ double differing(const Image& laver, const std::vector<float>& sums, std::size_t
 std::map<std::string, double> comparePasses(Report& report, const EmbreeScenes& embree, Scene scene,
                                             const Setup& setup, const Rounds& rounds) {
   scene.integrator = setup.integrator;
-  // One sample: a pass for each round and one to warm up. More: a whole render each round.
-  const bool single = setup.samples == 1;
-  scene.sampler.sampleCount =
-      single ? static_cast<std::uint32_t>(rounds.passes) + 1 : setup.samples;
+  scene.sampler.sampleCount = setup.samples;
   const auto pixels = static_cast<std::uint64_t>(scene.camera.width) *
                       static_cast<std::uint64_t>(scene.camera.height);
   EmbreePass pass(packScene(scene, {}, specialise(scene, {})), setup.samples);
   std::vector<Side> sides = sidesOf(embree, setup);
   EmbreePass::Result result;
-  const auto runEmbree = [&](std::size_t round, bool keep) {
-    for (Side& side : sides) {
-      const auto first = static_cast<std::uint32_t>(single ? round : 0);
-      result = pass.run(side.call, first, setup.samples, setup.threads);
-      if (keep) side.seconds.push_back(result.seconds);
-      if (single || round == 0) pass.addTo(side.image, side.call, setup.samples);
-    }
-  };
   std::vector<double> seconds;
   LaverRender laver;
-  if (single) {
-    laver = renderWithLaver(scene, setup.threads, "", pixels,
-                            [&](std::size_t round) { runEmbree(round, round > 0); });
-    seconds.assign(laver.passes.begin() + 1, laver.passes.end());
-  } else {
-    pass.run(sides[0].call, 0, setup.samples, setup.threads);
-    for (std::size_t round = 0; round < rounds.renders; ++round) {
-      laver = renderWithLaver(scene, setup.threads, "", 0);
-      seconds.push_back(laver.stats.seconds.trace);
-      runEmbree(round, true);
+  // A whole render each round; the first, which may compile the kernel, is not counted.
+  const std::size_t count = setup.samples == 1 ? rounds.passes : rounds.renders;
+  for (std::size_t round = 0; round <= count; ++round) {
+    laver = renderWithLaver(scene, setup.threads);
+    if (round > 0) seconds.push_back(laver.stats.seconds.trace);
+    for (Side& side : sides) {
+      result = pass.run(side.call, 0, setup.samples, setup.threads);
+      if (round > 0) side.seconds.push_back(result.seconds);
+      if (round == 0) pass.addTo(side.image, side.call, setup.samples);
     }
   }
   for (Side& side : sides) {
-    std::vector<double> outside(single ? 3 : 1);
+    std::vector<double> outside(setup.samples == 1 ? 3 : 1);
     for (double& share : outside)
       share = pass.run(side.call, 0, setup.samples, setup.threads, true).outside;
     side.outside = median(outside);
@@ -113,16 +101,15 @@ std::map<std::string, double> comparePasses(Report& report, const EmbreeScenes& 
   const auto rays = static_cast<double>(pixels * setup.samples + result.shadowRays);
   report.section(
       fmt::format("Whole pass: {}, {} sample{}, {}, {} thread{}", setup.name, setup.samples,
-                  single ? "" : "s",
+                  setup.samples == 1 ? "" : "s",
                   shadows ? "primary + shadow (direct_whitted)" : "primary (depth)", setup.threads,
                   setup.threads == 1 ? "" : "s"),
       {{"triangles", laver.stats.triangles},
        {"hits", static_cast<double>(result.hits) / static_cast<double>(pixels * setup.samples)},
        {"rays", rays}});
   const double laverMedian = median(seconds);
-  nlohmann::json facts{{"samples a pass", laver.stats.samplesAPass}};
-  if (single) facts["first pass, cold memory, ms"] = laver.passes[0] * 1e3;
-  report.timing("laver " + laver.stats.traversal, seconds, rays, 0, facts);
+  report.timing("laver " + laver.stats.traversal, seconds, rays, 0,
+                {{"samples a pass", laver.stats.samplesAPass}});
   std::map<std::string, double> ratios;
   for (const Side& side : sides) {
     ratios[side.name] = median(side.seconds) / laverMedian;

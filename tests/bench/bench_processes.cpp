@@ -78,7 +78,7 @@ void manySamples(Report& report, const Rounds& rounds) {
     scene.sampler.sampleCount = which == 0 ? 16 : 64;
     std::vector<double> trace, reconstruct, both;
     for (std::size_t round = 0; round < (which == 0 ? rounds.renders : 1); ++round) {
-      const auto seconds = renderWithLaver(scene, 2, "", 0).stats.seconds;
+      const auto seconds = renderWithLaver(scene, 2).stats.seconds;
       trace.push_back(seconds.trace);
       reconstruct.push_back(seconds.reconstruct);
       both.push_back(seconds.trace + seconds.reconstruct);

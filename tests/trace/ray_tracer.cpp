@@ -27,8 +27,9 @@ std::array<VkDescriptorType, shared::BINDINGS + 2> bindingTypes() {
   std::array<VkDescriptorType, shared::BINDINGS + 2> types;
   types.fill(VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER);
   types[shared::BIND_PARAMS] = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-  for (const auto b : {shared::BIND_RADIANCE, shared::BIND_WEIGHTS, shared::BIND_FILM,
-                       shared::BIND_STATUS, kOutput})
+  for (const auto b : {shared::BIND_SAMPLES, shared::BIND_SAMPLES_Y})
+    types[b] = VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER;
+  for (const auto b : {shared::BIND_FILM, shared::BIND_STATUS, kOutput})
     types[b] = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
   return types;
 }
@@ -69,9 +70,11 @@ struct RayTracer::Impl {
     return buffers.back();
   }
 
-  /// Something must be bound where there is nothing to read.
+  /// Packets read a little beyond the last leaf.
   void uploadTexels(std::uint32_t binding, std::span<const std::byte> data) {
-    const Buffer& buffer = bindTexels(binding, std::max<std::size_t>(data.size(), 48));
+    const std::size_t zeros = (shared::MAX_LEAF - 1) * sizeof(shared::Triangle);
+    const Buffer& buffer = bindTexels(binding, data.size() + zeros);
+    buffer.fillZero();
     if (!data.empty()) buffer.upload(data);
   }
 

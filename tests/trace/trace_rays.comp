@@ -8,6 +8,7 @@
 #include "lane.glsl"
 #endif
 #include "resources.glsl"
+#include "shared/point.h"
 
 layout(local_size_x = 64 / R) in;
 // Ray: origin, tmin; direction, tmax. Point: xyz, -.
@@ -20,7 +21,7 @@ layout(binding = BINDINGS + 1) writeonly buffer HitBlock { vec4 hitOf[]; };  // 
 // Here Pass holds: region.x the count; core.xyz the light, as bits of floats.
 
 uint groupNumber() { return gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; }
-uint numberOf(uint r) { return groupNumber() * 64u + r * (64u / R) + gl_LocalInvocationIndex; }
+uint numberOf(uint r) { return groupNumber() * 64u + gl_LocalInvocationIndex * R + r; }
 
 #ifdef LAVER_VISIBLE
 void main() {
@@ -35,7 +36,7 @@ void main() {
   visible(uintBitsToFloat(pass.core.xyz), points, live, seen);
   FOR_RAYS (uint r = 0u; r < R; ++r)
     if (numberOf(r) < pass.region.x) seenOf[numberOf(r)] = seen[r] ? 1u : 0u;
-  if (incomplete) atomicAdd(status.incomplete, 1u);
+  if (incomplete || loopsWereCut()) atomicAdd(status.incomplete, 1u);
 }
 #else
 vec4 hitAt(vec3 origin, vec3 direction, uint slot) {
@@ -44,15 +45,8 @@ vec4 hitAt(vec3 origin, vec3 direction, uint slot) {
   const vec3 a = texelVec3(first);
   const vec3 b = texelVec3(texelFetch(triangleTexels, texel + 1));
   const vec3 c = texelVec3(texelFetch(triangleTexels, texel + 2));
-  const Shear shear = shearOf(direction);
-  const vec3 pa = permute(shear, a - origin);
-  const vec3 pb = permute(shear, b - origin);
-  const vec3 pc = permute(shear, c - origin);
-  const Edges e = edgesOf(shear, pa, pb, pc);
-  precise float t = depthOf(e, pa.z, pb.z, pc.z) / abs(alongAxis(direction, shear.axis));
-  precise float u = e.b / e.sum;
-  precise float v = e.c / e.sum;
-  return vec4(t, u, v, uintBitsToFloat(first.w));
+  const Point p = pointAt(origin, direction, a, b, c, false);
+  return vec4(p.t, p.weights.yz, uintBitsToFloat(first.w));
 }
 
 void main() {
@@ -74,6 +68,6 @@ void main() {
     if (hits.slot[r] != NO_HIT) result = hitAt(rays.origin, rays.direction[r], hits.slot[r]);
     hitOf[numberOf(r)] = result;
   }
-  if (incomplete) atomicAdd(status.incomplete, 1u);
+  if (incomplete || loopsWereCut()) atomicAdd(status.incomplete, 1u);
 }
 #endif

@@ -1,0 +1,15 @@
+// Gathering on any device: an invocation reads all samples that it needs.
+#ifndef LAVER_GATHER_LANE
+#define LAVER_GATHER_LANE
+#include "gathered.glsl"
+
+// Adds samples number s of a row of pixels to what they reach of column x of the region.
+void addRow(inout vec4 sums[REACH], int x, int row, uint s) {
+  for (uint i = 0u; i < REACH; ++i) {
+    float wx[REACH], wy[REACH];
+    const vec3 radiance = gathered(x + int(i) - int(APRON), row, s, wx, wy);
+    addSample(sums, radiance, wx[2u * APRON - i], wy);
+  }
+}
+
+#endif

@@ -1,0 +1,69 @@
+// Ray/box test that never misses what the triangle test accepts: slabs (Kay and Kajiya 1986) of
+// boxes that the host has grown by an ulp, with the origin moved sideways by a pad.
+#ifndef LAVER_SHARED_BOX_H
+#define LAVER_SHARED_BOX_H
+#include "triangle.h"
+
+LAVER_SHARED_BEGIN
+
+struct BoxRay {
+  vec3 low, high;   // origin moved by the pad against each side of a box
+  vec3 reciprocal;  // depth gained for each unit along the three axes
+  uint axis;
+};
+
+// |d[k]| / d[a] without infinities: a slope below 2^-100 moves no ray by a visible amount.
+LAVER_FN float depthPerUnit(float d, float scale) {
+  const float huge = 1.2676506e30f;  // 2^100
+  const float q = abs(d) * huge > scale ? scale / d : huge;
+  return abs(d) * huge > scale || d >= 0.0f ? q : -q;
+}
+
+// Sideways padding. The triangle test can accept a line that passes a triangle by its own rounding.
+// With e = 2^-24 and A = max |o| + 1 >= any |v - o| (the host scales the scene into [-1, 1]^3):
+// corner - origin errs by e A on two axes, the slope by 5 e (2.5 ulp a division), shear product and
+// difference by 2 e A, the edge functions by 3 e A, and a box test, be it of a ray or of a frustum,
+// by 4 e A: below pad = 16 e A in all. Along k no pad is needed: corners lie within the box,
+// subtraction rounds monotonically and depthOf() stays between the corners' depths.
+LAVER_FN float padOf(vec3 origin) {
+  return 9.5367432e-7f * (greater(abs(origin.x), greater(abs(origin.y), abs(origin.z))) + 1.0f);
+}
+
+// Rounding of a difference along k, two ulp: what ends at the light's own depth is not left out.
+LAVER_CONST float DEPTH_SLACK = 1.0f + 2.4e-7f;
+
+LAVER_FN BoxRay boxRayOf(vec3 origin, vec3 direction, uint axis) {
+  const float scale = abs(alongAxis(direction, axis));
+  const float pad = padOf(origin);
+  const vec3 padding = vec3(axis == 0u ? 0.0f : pad, axis == 1u ? 0.0f : pad,
+                            axis == 2u ? 0.0f : pad);
+  BoxRay ray;
+  ray.low = origin + padding;
+  ray.high = origin - padding;
+  ray.reciprocal = vec3(depthPerUnit(direction.x, scale), depthPerUnit(direction.y, scale),
+                        depthPerUnit(direction.z, scale));
+  ray.axis = axis;
+  return ray;
+}
+
+// The ray is inside the box from depth `near` to `far`; `depth` is where it enters along k. It
+// misses the box where near > far.
+struct BoxSpan {
+  float depth, near, far;
+};
+
+LAVER_FN BoxSpan boxSpan(BoxRay ray, float first, vec3 lo, vec3 hi) {
+  LAVER_PRECISE vec3 t0 = (lo - ray.low) * ray.reciprocal;
+  LAVER_PRECISE vec3 t1 = (hi - ray.high) * ray.reciprocal;
+  const vec3 enter = vec3(lesser(t0.x, t1.x), lesser(t0.y, t1.y), lesser(t0.z, t1.z));
+  const vec3 leave = vec3(greater(t0.x, t1.x), greater(t0.y, t1.y), greater(t0.z, t1.z));
+  BoxSpan span;
+  span.depth = alongAxis(enter, ray.axis);
+  span.near = greater(greater(enter.x, enter.y), greater(enter.z, first));
+  span.far = lesser(leave.x, lesser(leave.y, leave.z));
+  return span;
+}
+
+LAVER_SHARED_END
+
+#endif

@@ -1,0 +1,95 @@
+// The point that a ray has met, recomputed once from the winner's corners: the same text for the
+// kernels and, as C++, for the tests.
+#ifndef LAVER_SHARED_POINT_H
+#define LAVER_SHARED_POINT_H
+#include "triangle.h"
+
+LAVER_SHARED_BEGIN
+
+struct Point {
+  vec3 position;   // by barycentrics: on the triangle to rounding, however far the camera
+  vec3 geometric;  // unit normal by the winding
+  float t;         // along the ray, by the plane
+  float offset;    // how far along the geometric normal a shadow ray ends beside the surface
+  vec3 weights;    // of the corners
+};
+
+// The upper 12 bits of a float's 24; the rest, x - upperHalf(x), has 12 bits too.
+LAVER_FN float upperHalf(float x) { return uintBitsToFloat(floatBitsToUint(x) & 0xfffff000u); }
+
+// a * b - c * d within an ulp or two of itself and 2^-35 of the products, on any device, where
+// differenceOfProducts() needs a fused fma(): products of halves (Dekker, "A Floating-Point
+// Technique for Extending the Available Precision", 1971) are exact, so that contraction changes no
+// bit, and the large ones cancel exactly.
+LAVER_FN float accurateDifference(float a, float b, float c, float d) {
+  const float ah = upperHalf(a), bh = upperHalf(b), ch = upperHalf(c), dh = upperHalf(d);
+  LAVER_PRECISE float al = a - ah;
+  LAVER_PRECISE float bl = b - bh;
+  LAVER_PRECISE float cl = c - ch;
+  LAVER_PRECISE float dl = d - dh;
+  LAVER_PRECISE float middle = (ah * bl - ch * dl) + (al * bh - cl * dh);
+  LAVER_PRECISE float result = (ah * bh - ch * dh) + (middle + (al * bl - cl * dl));
+  return result;
+}
+
+// The plane's normal decides t: of a sliver of aspect 1e4 plain products put t off by 160 ulp.
+LAVER_FN vec3 accurateCross(vec3 a, vec3 b) {
+  return vec3(accurateDifference(a.y, b.z, a.z, b.y), accurateDifference(a.z, b.x, a.x, b.z),
+              accurateDifference(a.x, b.y, a.y, b.x));
+}
+
+// v / |v|, free of overflow and underflow; `otherwise` where v is zero.
+LAVER_FN vec3 unitOr(vec3 v, vec3 otherwise) {
+  const float m = max(abs(v.x), max(abs(v.y), abs(v.z)));
+  const vec3 s = v / (m > 0.0f ? m : 1.0f);
+  return m > 0.0f ? s / sqrt(dotProduct(s, s)) : otherwise;
+}
+
+LAVER_FN float largestOf(float a, float b, float c) { return max(abs(a), max(abs(b), abs(c))); }
+
+LAVER_FN Point pointAt(vec3 origin, vec3 direction, vec3 a, vec3 b, vec3 c, bool flipped) {
+  const Shear shear = shearOf(direction);
+  const vec3 pa = permute(shear, a - origin);
+  const vec3 pb = permute(shear, b - origin);
+  const vec3 pc = permute(shear, c - origin);
+  const Edges e = edgesOf(shear, pa, pb, pc);
+  LAVER_PRECISE float wa = e.a / e.sum;
+  LAVER_PRECISE float wb = e.b / e.sum;
+  LAVER_PRECISE float wc = e.c / e.sum;
+
+  Point p;
+  LAVER_PRECISE vec3 position = a + ((b - a) * wb + (c - a) * wc);
+  p.position = position;
+  p.weights = vec3(wa, wb, wc);
+  const vec3 n = accurateCross(b - a, c - a) * (flipped ? -1.0f : 1.0f);
+  p.geometric = unitOr(n, unitOr(-direction, vec3(0.0f, 0.0f, 1.0f)));
+
+  // Plane distance; the edge functions' where the plane is seen edge-on, and always between the
+  // corners.
+  const float across = dotProduct(n, direction);
+  const float scale = abs(alongAxis(direction, shear.axis));
+  const float nearest = min(pa.z, min(pb.z, pc.z)), farthest = max(pa.z, max(pb.z, pc.z));
+  const float depth = across != 0.0f ? dotProduct(n, a - origin) / across * scale
+                                     : depthOf(e, pa.z, pb.z, pc.z);
+  p.t = max(nearest, min(depth, farthest)) / scale;
+
+  // 8 * 2^-24 * (|n| . max |corner|), 8 ulp at most. With e = 2^-24, `position` is off its plane by
+  // e |position| and 3 e of its distance from a, on each axis; what is left is for the dot products
+  // of the plane-side test.
+  const vec3 largest =
+      vec3(largestOf(a.x, b.x, c.x), largestOf(a.y, b.y, c.y), largestOf(a.z, b.z, c.z));
+  const vec3 tilt = vec3(abs(p.geometric.x), abs(p.geometric.y), abs(p.geometric.z));
+  p.offset = 4.7683716e-7f * dotProduct(tilt, largest);
+  return p;
+}
+
+// The shading normal at `p` of three vertex normals, by the order of its corners.
+LAVER_FN vec3 shadingNormal(Point p, vec3 na, vec3 nb, vec3 nc) {
+  LAVER_PRECISE vec3 m = na * p.weights.x + nb * p.weights.y + nc * p.weights.z;
+  // Below 2^-22 of unit normals' length the sum is rounding alone.
+  return dotProduct(m, m) > 5.7e-14f ? unitOr(m, p.geometric) : p.geometric;
+}
+
+LAVER_SHARED_END
+
+#endif
