@@ -110,8 +110,14 @@ int dispatch(int argc, char** argv) {
   CompareCommand compare;
   CLI::App* compareApp =
       app.add_subcommand("compare", "Measures how a picture differs from another");
-  compareApp->add_option("a", compare.a, "picture")->required()->type_name("A.exr");
-  compareApp->add_option("b", compare.b, "reference")->required()->type_name("B.exr");
+  compareApp->add_option("a", compare.a, "picture")->type_name("A.exr");
+  compareApp->add_option("b", compare.b, "reference")->type_name("B.exr");
+  compareApp
+      ->add_option("--explain", compare.explain,
+                   "render a scene and explain each difference from the reference, instead")
+      ->type_name("SCENE.xml");
+  compareApp->add_option("--device", compare.vulkan.device, "for --explain: as in rendering");
+  compareApp->add_option("--traversal", compare.vulkan.traversal, "for --explain: lane or packet");
   const CLI::Option* tolerance = compareApp->add_option(
       "--tolerance", compare.tolerance, "exit code 5 if the metric of a channel is beyond it");
   compareApp->add_option("--metric", compare.metric, "what the tolerance bounds")
@@ -132,6 +138,9 @@ int dispatch(int argc, char** argv) {
     return fail(ExitCode::Usage, error.what());
   }
   compare.judged = tolerance->count() != 0;
+  const bool comparable = compare.explain.empty() ? !compare.b.empty() : compare.a.empty();
+  if (compareApp->parsed() && !comparable)
+    return fail(ExitCode::Usage, "compare takes two pictures, or --explain SCENE.xml");
   if (compareApp->parsed()) return static_cast<int>(run(compare));
   if (devicesApp->parsed()) return static_cast<int>(runDevices());
   if (render.scene.empty()) return fail(ExitCode::Usage, "no scene given; see laver --help");

@@ -23,13 +23,15 @@ struct RenderCommand {
   bool quiet = false;
 };
 
-/// `laver compare A.exr B.exr`.
+/// `laver compare A.exr B.exr`, or `laver compare --explain SCENE.xml`.
 struct CompareCommand {
   std::string a, b;
   double tolerance = 0.0;
   bool judged = false;         ///< a tolerance was given: beyond it is ExitCode::Different
   std::string metric = "max";  ///< what the tolerance bounds: max, p999, rmse or relmse
   std::string out;             ///< folder for pictures of the difference; empty: none
+  std::string explain;         ///< a scene to render and hold against the reference; empty: none
+  VulkanOptions vulkan;        ///< for `explain`
 };
 
 /// Throws what it cannot do; an interrupted render throws Error(Interrupted) or Error(Terminated)

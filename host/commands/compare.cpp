@@ -6,6 +6,7 @@
 
 #include "commands/commands.h"
 #include "commands/standard_output.h"
+#include "explain/explain.h"
 #include "image/compare_report.h"
 #include "image/difference.h"
 #include "image/false_colour.h"
@@ -36,9 +37,20 @@ void writeDifference(const CompareCommand& command, const Image& a, const Image&
            drawDistances(largestDistances(a, b), a.width, a.height));
 }
 
+/// Beyond the bounds without an excuse is as bad as beyond a tolerance.
+ExitCode explainScene(const CompareCommand& command) {
+  const LoadedScene loaded = loadScene(command.explain);
+  for (const auto& warning : loaded.warnings) std::cerr << warning << '\n';
+  const Explanation explanation = explain(loaded.scene, loaded.scene, command.vulkan);
+  std::cout << describe(explanation);
+  flushStandardOutput();
+  return explanation.unexcused() == 0 ? ExitCode::Ok : ExitCode::Different;
+}
+
 }  // namespace
 
 ExitCode run(const CompareCommand& command) {
+  if (!command.explain.empty()) return explainScene(command);
   const Image a = readExr(command.a);
   const Image b = readExr(command.b);
   const auto differences = compare(a, b, command.tolerance);

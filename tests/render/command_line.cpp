@@ -61,7 +61,8 @@ TEST_F(CommandLine, UsageErrorsAreOneLineAndExitTwo) {
         "test.xml --crop 4,4,4,8 --device cpu", "test.xml --spp 0", "test.xml --spp -3",
         "test.xml --integrator path_mis", "test.xml -o picture.jpg --device cpu",
         "test.xml --device cpu --traversal magic", "compare", "compare a.exr",
-        "compare a.exr b.exr"}) {
+        "compare a.exr b.exr", "compare a.exr --explain test.xml",
+        "compare a.exr b.exr --explain test.xml"}) {
     const Outcome run = laver(arguments);
     EXPECT_EQ(run.code, 2) << arguments << ": " << run.err;
     const int warnings = run.err.find("warning") == std::string::npos ? 0 : 1;
@@ -112,6 +113,23 @@ TEST_F(CommandLine, CompareMeasuresAndJudges) {
   const Outcome sizes = laver("compare a.exr c.exr");
   EXPECT_EQ(sizes.code, 2);
   EXPECT_EQ(lines(sizes.err), 1);
+}
+
+TEST_F(CommandLine, CompareExplainsAScene) {
+  write("t.obj", "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n");
+  write("test.xml",
+        "<scene><integrator type=\"depth\"/><camera type=\"perspective\">"
+        "<integer name=\"width\" value=\"40\"/><integer name=\"height\" value=\"30\"/>"
+        "<transform name=\"toWorld\"><lookat origin=\"0,0,4\" target=\"0,0,0\" up=\"0,1,0\"/>"
+        "</transform></camera><mesh type=\"obj\"><string name=\"filename\" value=\"t.obj\"/>"
+        "</mesh></scene>");
+  const Outcome run = laver("compare --explain test.xml --device cpu");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("other triangle: 0"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("unexcused: 0\n"), std::string::npos) << run.out;
+  const Outcome none = laver("compare --explain none.xml");
+  EXPECT_EQ(none.code, 3);
+  EXPECT_EQ(lines(none.err), 1) << none.err;
 }
 
 TEST_F(CommandLine, CompareDrawsTheDifference) {

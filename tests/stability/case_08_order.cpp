@@ -1,0 +1,162 @@
+// Which of coincident triangles a ray meets, and every bit of the hit, depend on nothing but the
+// scene: not on the tree, its nodes' width, the order of children, or the traversal. Threads,
+// tiles and passes are render/same_bits.cpp's.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "render/harness.h"
+#include "stability/meshes.h"
+#include "stability/naive.h"
+#include "stability/other_trees.h"
+#include "stability/record.h"
+#include "stability/subject.h"
+#include "stability/surfaces.h"
+#include "stability/twin/walk.h"
+
+namespace laver::stability {
+namespace {
+
+/// A wavy sheet twice over, the copy's triangles listing their corners from another one on: as
+/// listed, for the naive method, and sorted, as the packing has it. Ids are file order.
+struct Sheets {
+  Sheets() {
+    const Mesh sheet = gridMesh(48, [](double x, double y) {
+      return glm::dvec3(x, y, 0.1 * std::sin(5 * x) * std::cos(4 * y));
+    });
+    for (const glm::dvec3& p : sheet.positions) positions.emplace_back(p);
+    triangles = sheet.triangles;
+    for (const glm::uvec3& t : sheet.triangles) triangles.emplace_back(t.y, t.z, t.x);
+    sorted = closedMesh(positions, triangles);
+    listed = inListedOrder(sorted);
+  }
+  std::vector<glm::vec3> positions;
+  std::vector<glm::uvec3> triangles;
+  ClosedMesh sorted;
+  Bvh listed;
+};
+
+/// The first met at the least t wins, as usual.
+std::uint32_t naiveWinner(const Bvh& bvh, const test::TestRay& ray) {
+  std::uint32_t best = shared::NO_HIT;
+  const auto box = shared::boxRayOf(ray.origin, ray.direction, shared::shearOf(ray.direction).axis);
+  float nearest = INFINITY;
+  walk(
+      bvh, ray.direction, 3.4e38F,
+      [&](glm::vec3 lo, glm::vec3 hi) { return shared::boxSpan(box, 0.0F, lo, hi); },
+      [&](const shared::Triangle& t, float&) {
+        test::TestHit hit{};
+        if (naive::moellerTrumbore(ray.origin, ray.direction, t, 0.0F, INFINITY, hit) &&
+            hit.t < nearest) {
+          nearest = hit.t;
+          best = t.id;
+        }
+        return false;
+      });
+  return best;
+}
+
+/// Floats of pictures made in other ways that differ from those of one render, whole.
+std::uint64_t otherBits(const std::string& traversal) {
+  const Scene scene = test::smallScene("curved-normals.xml", 90, 3);
+  VulkanOptions vulkan;
+  vulkan.device = testDevice();
+  vulkan.traversal = traversal;
+  const Image whole = test::render(scene, vulkan);
+  std::uint64_t differ = test::differingFloats(whole, test::render(scene, vulkan));
+  VulkanOptions pieces = vulkan;
+  pieces.samplesInFlight = 1000;
+  Stats stats;
+  differ += test::differingFloats(whole, Renderer(pieces).render(scene, {}, stats));
+  EXPECT_GT(stats.passes, 10U);
+  RenderOptions cropped;
+  cropped.threads = 1;
+  cropped.crop = Crop{33, 5, 71, 44};
+  const Image part = test::render(scene, vulkan, cropped);
+  for (int y = 0; y < part.height; ++y)
+    for (int x = 0; x < part.width; ++x)
+      for (std::size_t c = 0; c < 3; ++c)
+        differ += part.at(x, y, c) == whole.at(x + 33, y + 5, c) ? 0 : 1;
+  return differ;
+}
+
+LAVER_STABILITY(08, Order, "Ties: child order, triangle order, node width, traversal") {
+  const Sheets sheets;
+  const auto half = static_cast<std::uint32_t>(sheets.triangles.size() / 2);
+  constexpr int kSide = 96;
+  const int side = full ? 8 * kSide : 2 * kSide;
+  std::vector<test::TestRay> rays;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const glm::vec3 target((2.0F * static_cast<float>(x) + 1.0F) / static_cast<float>(side) - 1,
+                             (2.0F * static_cast<float>(y) + 1.0F) / static_cast<float>(side) - 1,
+                             0.0F);
+      const glm::vec3 eye(0.3F, 0.2F, 3.0F);
+      rays.push_back(rayOf(eye, 0.97F * target - eye));
+    }
+
+  std::mt19937 random(8);
+  std::vector<std::pair<const char*, std::pair<Bvh, Bvh>>> trees;
+  trees.push_back({"the tree", {sheets.sorted.bvh, sheets.listed}});
+  {
+    std::mt19937 again = random;
+    trees.push_back({"children shuffled",
+                     {withShuffledChildren(sheets.sorted.bvh, random),
+                      withShuffledChildren(sheets.listed, again)}});
+    again = random;
+    trees.push_back({"triangles shuffled",
+                     {fromShuffledTriangles(sheets.sorted.bvh.triangles, random),
+                      fromShuffledTriangles(sheets.listed.triangles, again)}});
+  }
+  trees.push_back({"two children a node",
+                   {withTwoChildren(sheets.sorted.bvh), withTwoChildren(sheets.listed)}});
+
+  std::vector<test::TestHit> wanted;
+  std::vector<std::uint32_t> naiveWanted;
+  Bitmap before(kSide, kSide, {}), after(kSide, kSide, {});
+  for (const auto& [name, tree] : trees) {
+    std::uint64_t naiveDiffer = 0;
+    std::vector<std::uint32_t> winners;
+    for (const auto& ray : rays) winners.push_back(naiveWinner(tree.second, ray));
+    if (naiveWanted.empty()) naiveWanted = winners;
+    for (std::size_t i = 0; i < rays.size(); ++i) naiveDiffer += winners[i] != naiveWanted[i];
+    for (const auto& subject : subjects(tree.first)) {
+      const auto hits = subject->closest(rays);
+      // Twins round otherwise where they fuse: each is compared with itself on the first tree, the
+      // traversals with one another.
+      if (subject->twin != nullptr) continue;
+      if (wanted.empty()) wanted = hits;
+      std::uint64_t differ = 0;
+      for (std::size_t i = 0; i < hits.size(); ++i) {
+        differ += std::memcmp(&hits[i], &wanted[i], sizeof hits[i]) != 0 ? 1 : 0;
+        // The first copy owns every tie.
+        differ += hits[i].id != shared::NO_HIT && hits[i].id >= half ? 1 : 0;
+      }
+      const bool same = naiveDiffer == 0;
+      record.add({name, subject->name, rays.size(),
+                  same ? std::nullopt : std::optional(static_cast<double>(naiveDiffer)),
+                  static_cast<double>(differ), 0.0, "hits"});
+      const int step = side / kSide;
+      for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x) {
+          const auto i = static_cast<std::size_t>(y * step * side + x * step);
+          const auto p = static_cast<std::size_t>(y * kSide + x);
+          if (winners[i] == shared::NO_HIT || hits[i].id == shared::NO_HIT) continue;
+          const Rgb8 own{70, 130, 200}, copy{220, 120, 40};
+          before.pixels[p] = winners[i] < half ? own : copy;
+          after.pixels[p] = hits[i].id < half ? own : copy;
+        }
+    }
+  }
+  for (const std::string traversal : {"lane", "packet"})
+    record.add({"run again, in small pieces, cropped on one thread", traversal, 4 * 90 * 60,
+                std::nullopt, static_cast<double>(otherBits(traversal)), 0.0, "floats"});
+  record.picture(
+      "Ties: a sheet and its exact copy, whose triangles list their corners from another one on; "
+      "blue where a ray met the first, orange the copy.",
+      before, after);
+}
+
+}  // namespace
+}  // namespace laver::stability

@@ -1,0 +1,82 @@
+// Reconstruction filters: a flat field stays flat, a step keeps its place, negative lobes are
+// weighted out, against the same sums in double.
+#include <gtest/gtest.h>
+
+#include "reference/reference.h"
+#include "render/harness.h"
+#include "stability/record.h"
+#include "stability/subject.h"
+#include "stability/surfaces.h"
+
+namespace laver::stability {
+namespace {
+
+/// A square that faces the camera; the film sees it whole where `flat`, else its slanted edge.
+Scene square(Filter filter, bool flat) {
+  Scene scene;
+  scene.meshes = {gridMesh(1, [&](double x, double y) {
+    return flat ? glm::dvec3(9 * x, 9 * y, 0.0) : glm::dvec3(2 * x - 2 + 0.2 * y, 9 * y, 0.0);
+  })};
+  scene.camera.toWorld = glm::dmat4(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0.05, 0.03, 4, 1);
+  scene.camera.width = scene.camera.height = 64;
+  scene.sampler.sampleCount = 4;
+  scene.filter = filter;
+  return scene;
+}
+
+double furthest(const Image& a, const Image& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+    most = std::max(most,
+                    std::abs(static_cast<double>(a.pixels[i]) - static_cast<double>(b.pixels[i])));
+  return most;
+}
+
+/// How far a flat field is from 1 where sums are not divided by the weights that fell, but by
+/// those expected: 4 samples a pixel, tent of radius 1, whose weights have the mean 1.
+double unnormalised(const Reference& reference) {
+  double most = 0;
+  for (int y = 1; y < 63; ++y)
+    for (int x = 1; x < 63; ++x) {
+      double sum = 0;
+      for (int py = y - 1; py <= y + 1; ++py)
+        for (int px = x - 1; px <= x + 1; ++px)
+          for (std::uint32_t s = 0; s < 4; ++s) {
+            const glm::dvec2 d =
+                glm::abs(glm::dvec2(reference.samplePosition(px, py, s)) - glm::dvec2(x, y) - 0.5);
+            sum += std::max(0.0, 1 - d.x) * std::max(0.0, 1 - d.y);
+          }
+      most = std::max(most, std::abs(sum / 4 - 1));
+    }
+  return most;
+}
+
+LAVER_STABILITY(14, Filters, "Filters: flat field, step, negative lobes") {
+  const std::vector<std::pair<const char*, Filter>> filters = {
+      {"gaussian", {Filter::Kind::Gaussian, 2.0, 0.5, 0.0, 0.0}},
+      {"Mitchell", {Filter::Kind::Mitchell, 2.0, 0.5, 1.0 / 3, 1.0 / 3}},
+      {"tent", {Filter::Kind::Tent, 1.0, 0.5, 0.0, 0.0}}};
+  for (const auto& [name, filter] : filters)
+    for (const std::string traversal : {"lane", "packet"}) {
+      VulkanOptions vulkan;
+      vulkan.device = testDevice();
+      vulkan.traversal = traversal;
+      const Scene flat = square(filter, true);
+      Image ones = rgbImage(64, 64);
+      for (std::size_t i = 2; i < ones.pixels.size(); i += 3) ones.pixels[i] = 1.0F;
+      const Image field = test::render(flat, vulkan);
+      record.add({std::string(name) + ", flat field", traversal, 64 * 64 * 4,
+                  unnormalised(Reference(flat)), furthest(field, ones), 1e-6, "of the field"});
+
+      const Scene step = square(filter, false);
+      const Reference reference(step);
+      RenderOptions compat;
+      compat.noriCompat = true;
+      record.add({std::string(name) + ", step; naive: Nori's table", traversal, 64 * 64 * 4,
+                  furthest(test::render(step, vulkan, compat), reference.render()),
+                  furthest(test::render(step, vulkan), reference.render()), 1e-6, "of the step"});
+    }
+}
+
+}  // namespace
+}  // namespace laver::stability

@@ -1,0 +1,78 @@
+// What the compiled kernels let a driver do: contract, drop NaN, need 64 bits.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <regex>
+
+#include "stability/record.h"
+#include "stability/spirv_lint.h"
+
+namespace laver::stability {
+namespace {
+
+std::string disassembly(const std::string& name) {
+  const std::string command =
+      std::string(LAVER_SPIRV_DIS) + " --no-color '" + LAVER_SPIRV_DIR + "/" + name + ".spv'";
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(::popen(command.c_str(), "r"), ::pclose);
+  std::string text;
+  std::array<char, 4096> part{};
+  while (pipe != nullptr && std::fgets(part.data(), part.size(), pipe.get()) != nullptr)
+    text += part.data();
+  EXPECT_FALSE(text.empty()) << command;
+  return text;
+}
+
+/// The kernels of laver itself, as the build names them.
+std::vector<std::string> productionKernels() {
+  std::vector<std::string> names;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::string(LAVER_SOURCE_DIR) + "/shaders")) {
+    if (entry.path().extension() != ".comp") continue;
+    const std::string stem = entry.path().stem();
+    for (const char* suffix : {"_lane", "_packet"})
+      if (std::filesystem::exists(std::string(LAVER_SPIRV_DIR) + "/" + stem + suffix + ".spv"))
+        names.push_back(stem + suffix);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+LAVER_STABILITY(15, Spirv, "SPIR-V: NoContraction, no min or max of NaN, no 64 bits") {
+  const auto kernels = productionKernels();
+  EXPECT_GE(kernels.size(), 8U);
+  for (const std::string& name : kernels) {
+    const std::string text = disassembly(name);
+    const KernelCounts counts = countOf(text);
+    const auto faults = lint(counts);
+    // A function that was renamed would escape the list.
+    if (name.rfind("gather", 0) != 0) {
+      for (const char* needed : {"differenceOfProducts", "edgesOf", "depthOf", "shearOf", "pointAt",
+                                 "filmPosition", "cameraDirection"})
+        EXPECT_EQ(counts.functions.count(needed), 1U) << name << " has no " << needed;
+    }
+    for (const std::string& fault : faults) ADD_FAILURE() << name << ": " << fault;
+
+    // The same kernel without `precise`.
+    const std::string plain = std::regex_replace(text, std::regex("NoContraction"), "Restrict");
+    record.add({name + ".spv", "naive: no precise",
+                static_cast<std::uint64_t>(preciseArithmetic(counts).arithmetic),
+                static_cast<double>(lint(countOf(plain)).size()),
+                static_cast<double>(faults.size()), 0.0, "faults"});
+  }
+}
+
+TEST(SpirvLint, FindsEachKindOfFault) {
+  const std::string good =
+      "OpName %1 \"expected(f1;\"\nOpName %2 \"depthOf(f1;\"\nOpDecorate %3 NoContraction\n"
+      "%f = OpTypeFloat 32\n%1 = OpFunction %f None %t\n%9 = OpFMul %f %a %b\n";
+  EXPECT_TRUE(lint(countOf(good)).empty());
+  EXPECT_EQ(lint(countOf(good + "%8 = OpExtInst %f %1 FMin %a %b\n")).size(), 1U);
+  EXPECT_EQ(lint(countOf(good + "%d = OpTypeFloat 64\n")).size(), 1U);
+  EXPECT_EQ(lint(countOf(good + "%2 = OpFunction %f None %t\n%3 = OpFMul %f %a %b\n")).size(), 1U);
+}
+
+}  // namespace
+}  // namespace laver::stability

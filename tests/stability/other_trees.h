@@ -1,0 +1,15 @@
+#pragma once
+#include <random>
+
+#include "bvh/bvh.h"
+
+namespace laver::stability {
+
+/// Trees over the same triangles that a ray visits in other orders.
+Bvh withShuffledChildren(Bvh bvh, std::mt19937& random);
+/// Built from the triangles in another order.
+Bvh fromShuffledTriangles(std::span<const shared::Triangle> from, std::mt19937& random);
+/// Nodes of two children: each node of up to eight becomes a chain.
+Bvh withTwoChildren(const Bvh& bvh);
+
+}  // namespace laver::stability

@@ -1,0 +1,136 @@
+#include "stability/spirv_lint.h"
+
+#include <fmt/format.h>
+
+#include <set>
+#include <sstream>
+
+namespace laver::stability {
+namespace {
+
+/// Functions whose proofs count every rounding, with the number of their instructions that must
+/// carry NoContraction. Where it is `kAll`, so must all others. The fused products of
+/// differenceOfProducts() are explicit and need none.
+struct Precise {
+  int count;
+  bool all;
+};
+const std::map<std::string, Precise> kPrecise = {
+    {"differenceOfProducts", {4, true}},  // triangle.h: Kahan's correction must not be folded away
+    {"dotProduct", {5, true}},            // triangle.h: both triangles of an edge see the same bits
+    {"shearOf", {2, true}},
+    {"edgesOf", {14, true}},
+    {"depthOf", {6, true}},
+    {"boxSpan", {4, true}},    // box.h: the pad counts its roundings
+    {"pointAt", {12, false}},  // point.h: weights and position; the rest are calls and quotients
+    {"accurateDifference", {19, true}},  // point.h
+    {"shadingNormal", {5, true}},
+    {"filmPosition", {1, true}},  // sampler.glsl: pixel + jitter is Nori's float sum
+    {"cameraDirection", {8, true}},
+    {"expOf", {22, false}},  // filter.glsl: Cody and Waite's reduction; the last is a scaling
+    {"addCompensated", {7, true}},  // gather.comp: two-sum is all rounding errors
+};
+
+/// Where FMin, FMax and FClamp may stand, and why no operand can be NaN there, or why it does not
+/// matter. Any other function that uses one is a fault: state the reason here or write a select.
+const std::map<std::string, const char*> kMayCompare = {
+    {"unitOr", "largest |component|: NaN stays NaN or becomes a fallback, both dropped as such"},
+    {"largestOf", "coordinates of vertices, finite"},
+    {"pointAt", "depths of corners, finite; a quotient by 0 is excluded by a select"},
+    {"gaussian", "distances of a pixel's centre, finite"},
+    {"mitchell", "distances of a pixel's centre, finite"},
+    {"filterWeight", "distances of a pixel's centre, finite"},
+};
+
+bool startsWith(const std::string& text, const char* prefix) { return text.rfind(prefix, 0) == 0; }
+
+bool isArithmetic(const std::string& op) {
+  static const std::set<std::string> ops = {"OpFAdd",
+                                            "OpFSub",
+                                            "OpFMul",
+                                            "OpFDiv",
+                                            "OpFNegate",
+                                            "OpDot",
+                                            "OpVectorTimesScalar",
+                                            "OpMatrixTimesVector",
+                                            "OpVectorTimesMatrix",
+                                            "OpMatrixTimesScalar",
+                                            "OpMatrixTimesMatrix"};
+  return ops.count(op) != 0;
+}
+
+}  // namespace
+
+KernelCounts countOf(const std::string& disassembly) {
+  KernelCounts kernel;
+  std::map<std::string, std::string> names;
+  std::set<std::string> decorated;
+  FunctionCounts* current = nullptr;
+  std::istringstream lines(disassembly);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string first, second, third;
+    words >> first >> second;
+    if (first == "OpName") {
+      std::string quoted;
+      words >> quoted;
+      names[second] = quoted.substr(1, quoted.find_first_of("(\"", 1) - 1);
+    } else if (first == "OpDecorate") {
+      words >> third;
+      if (third == "NoContraction") decorated.insert(second);
+    } else if (first == "OpCapability") {
+      if (second == "Float64" || second == "Int64") ++kernel.wide;
+    } else if (second == "=") {
+      words >> third;
+      std::string type, set, function;
+      if (third == "OpFunction") current = &kernel.functions[names[first]];
+      if (third == "OpTypeFloat" || third == "OpTypeInt") {
+        words >> type;
+        if (type == "64") ++kernel.wide;
+      }
+      if (current == nullptr) continue;
+      if (isArithmetic(third)) {
+        ++current->arithmetic;
+        current->decorated += decorated.count(first) != 0 ? 1 : 0;
+      } else if (third == "OpExtInst") {
+        words >> type >> set >> function;
+        if (function == "FMin" || function == "FMax" || function == "FClamp")
+          ++current->nanSensitive;
+      }
+    }
+  }
+  return kernel;
+}
+
+std::vector<std::string> lint(const KernelCounts& kernel) {
+  std::vector<std::string> faults;
+  if (kernel.wide != 0) faults.push_back(fmt::format("{} 64-bit types", kernel.wide));
+  for (const auto& [name, counts] : kernel.functions) {
+    const auto precise = kPrecise.find(name);
+    if (precise != kPrecise.end() &&
+        (counts.decorated != precise->second.count ||
+         (precise->second.all && counts.decorated != counts.arithmetic)))
+      faults.push_back(fmt::format("{}: {} of {} instructions are NoContraction, expected {}{}",
+                                   name, counts.decorated, counts.arithmetic, precise->second.count,
+                                   precise->second.all ? ", all" : ""));
+    if (counts.nanSensitive != 0 && kMayCompare.count(name) == 0)
+      faults.push_back(fmt::format("{}: {} of FMin, FMax, FClamp without a stated reason", name,
+                                   counts.nanSensitive));
+    // Debug information gone, nothing could be found.
+    if (name.empty() || startsWith(name, "%")) faults.emplace_back("a function without a name");
+  }
+  return faults;
+}
+
+FunctionCounts preciseArithmetic(const KernelCounts& kernel) {
+  FunctionCounts sum;
+  for (const auto& [name, counts] : kernel.functions) {
+    const auto precise = kPrecise.find(name);
+    if (precise == kPrecise.end()) continue;
+    sum.arithmetic += precise->second.count;
+    sum.decorated += counts.decorated;
+  }
+  return sum;
+}
+
+}  // namespace laver::stability

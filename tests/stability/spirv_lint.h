@@ -1,0 +1,30 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+namespace laver::stability {
+
+/// Counts over one function of a disassembled kernel.
+struct FunctionCounts {
+  int arithmetic = 0;    ///< float +, -, *, /, negation, dot: what a driver may contract
+  int decorated = 0;     ///< of these, with NoContraction
+  int nanSensitive = 0;  ///< FMin, FMax, FClamp: undefined where an operand is NaN
+};
+
+/// What a lint wants to know of a kernel.
+struct KernelCounts {
+  std::map<std::string, FunctionCounts> functions;  ///< by source name
+  int wide = 0;                                     ///< 64-bit types and capabilities
+};
+
+/// Reads what spirv-dis prints.
+KernelCounts countOf(const std::string& disassembly);
+
+/// The faults of one kernel, one line each.
+std::vector<std::string> lint(const KernelCounts& kernel);
+
+/// Arithmetic of the kernel that must carry NoContraction, and how much of it does.
+FunctionCounts preciseArithmetic(const KernelCounts& kernel);
+
+}  // namespace laver::stability

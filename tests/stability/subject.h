@@ -1,0 +1,35 @@
+#pragma once
+#include <memory>
+
+#include "stability/twin/twin.h"
+#include "trace/ray_tracer.h"
+
+namespace laver::stability {
+
+/// One way to run the kernels' text over a tree: a traversal of the device, or a C++ twin.
+class Subject {
+ public:
+  virtual ~Subject() = default;
+  /// Hits of rays; each block of 64 has one origin.
+  virtual std::vector<test::TestHit> closest(std::span<const test::TestRay> rays) = 0;
+  virtual std::vector<std::uint32_t> visible(glm::vec3 light,
+                                             std::span<const glm::vec3> points) = 0;
+
+  std::string name;
+  bool slow = false;  ///< not optimised: gets a share of the rays
+  const Twin* twin = nullptr;
+  double seconds = 0;  ///< spent in the two
+};
+
+/// Both traversals of the test device and all twins. `bvh` must outlive them.
+std::vector<std::unique_ptr<Subject>> subjects(const Bvh& bvh);
+
+/// The device of the tests: LAVER_TEST_DEVICE as --device takes it, or the CPU.
+std::string testDevice();
+
+/// A ray without an end.
+inline test::TestRay rayOf(glm::vec3 origin, glm::vec3 direction) {
+  return {origin, 0.0F, direction, 1e37F};
+}
+
+}  // namespace laver::stability

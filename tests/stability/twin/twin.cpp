@@ -1,0 +1,91 @@
+// Compiled several times into shared libraries of their own, so that the linker does not take one
+// way's inline functions for another's. LAVER_TWIN names the function to export, LAVER_TWIN_NAME
+// the way.
+#include "stability/twin/twin.h"
+
+#include "stability/twin/walk.h"
+
+namespace laver::stability {
+namespace {
+
+using namespace shared;
+using test::TestHit;
+using test::TestRay;
+
+TestHit closestOne(const Bvh& bvh, const TestRay& r) {
+  const Shear shear = shearOf(r.direction);
+  const BoxRay ray = boxRayOf(r.origin, r.direction, shear.axis);
+  const float scale = std::abs(alongAxis(r.direction, shear.axis));
+  const float first = r.tmin * scale;
+  const Triangle* best = nullptr;
+  walk(
+      bvh, r.direction, r.tmax * scale,
+      [&](vec3 lo, vec3 hi) { return boxSpan(ray, first, lo, hi); },
+      [&](const Triangle& t, float& last) {
+        const vec3 pa = permute(shear, t.a - r.origin), pb = permute(shear, t.b - r.origin);
+        const vec3 pc = permute(shear, t.c - r.origin);
+        const Edges e = edgesOf(shear, pa, pb, pc);
+        const float depth = depthOf(e, pa.z, pb.z, pc.z);
+        if (e.inside && depth >= first && depth <= last &&
+            (depth < last || best == nullptr || t.id < best->id)) {
+          last = depth;
+          best = &t;
+        }
+        return false;
+      });
+  if (best == nullptr) return {r.tmax, 0.0F, 0.0F, NO_HIT};
+  const Point p = pointAt(r.origin, r.direction, best->a, best->b, best->c, best->flipped != 0);
+  return {p.t, p.weights.y, p.weights.z, best->id};
+}
+
+void closest(const Bvh& bvh, std::span<const TestRay> rays, TestHit* hits) {
+  for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = closestOne(bvh, rays[i]);
+}
+
+bool visibleOne(const Bvh& bvh, vec3 light, vec3 point) {
+  const vec3 direction = light - point;
+  const Shear shear = shearOf(direction);
+  const BoxRay ray = boxRayOf(point, direction, shear.axis);
+  const float end = std::abs(alongAxis(direction, shear.axis)) * (1.0F + 2.4e-7F);
+  bool blocked = false;
+  walk(
+      bvh, direction, end, [&](vec3 lo, vec3 hi) { return boxSpan(ray, 0.0F, lo, hi); },
+      [&](const Triangle& t, float&) {
+        const vec3 n = permute(shear, crossProduct(t.b - t.a, t.c - t.a));
+        const float side = dotProduct(n, permute(shear, light) - permute(shear, t.a));
+        blocked = blocks(shear, end, n, side, permute(shear, t.a - point),
+                         permute(shear, t.b - point), permute(shear, t.c - point));
+        return blocked;
+      });
+  return !blocked;
+}
+
+void visible(const Bvh& bvh, vec3 light, std::span<const vec3> points, std::uint32_t* seen) {
+  for (std::size_t i = 0; i < points.size(); ++i)
+    seen[i] = visibleOne(bvh, light, points[i]) ? 1U : 0U;
+}
+
+Point point(vec3 origin, vec3 direction, const Triangle& t) {
+  return pointAt(origin, direction, t.a, t.b, t.c, t.flipped != 0);
+}
+
+bool box(vec3 origin, vec3 direction, vec3 lo, vec3 hi) {
+  const BoxSpan span = boxSpan(boxRayOf(origin, direction, shearOf(direction).axis), 0.0F, lo, hi);
+  return span.near <= span.far;
+}
+
+bool inside(vec3 origin, vec3 direction, const Triangle& t) {
+  const Shear shear = shearOf(direction);
+  return edgesOf(shear, permute(shear, t.a - origin), permute(shear, t.b - origin),
+                 permute(shear, t.c - origin))
+      .inside;
+}
+
+constexpr Twin kTwin{LAVER_TWIN_NAME, closest, visible, point, box, inside};
+
+}  // namespace
+
+[[gnu::visibility("default")]] const Twin* LAVER_TWIN();
+const Twin* LAVER_TWIN() { return &kTwin; }
+
+}  // namespace laver::stability
