@@ -11,8 +11,7 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
     surfaces[r] =
         surfaceAt(rays.origin, rays.direction[r], hits.slot[r] == NO_HIT ? 0u : hits.slot[r]);
 
-  uint i = 0u;
-  for (; i < pass.lights.y; ++i) {
+  for (uint i = 0u; i < pass.lights.y; ++i) {
     const int texel = int((pass.lights.x + i) * 2u);
     const vec3 light = texelVec3(texelFetch(lightTexels, texel));
     const vec3 power = texelVec3(texelFetch(lightTexels, texel + 1));
@@ -37,5 +36,4 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
       if (seen[r]) radiance[r] += irradiance * albedoOf(surfaces[r]) * 0.31830989;
     }
   }
-  incomplete = incomplete || i != pass.lights.y;
 }

@@ -90,5 +90,5 @@ void main() {
     }
   }
   if (dropped > 0u) atomicAdd(status.dropped, dropped);
-  if (incomplete || loopsWereCut()) atomicAdd(status.incomplete, 1u);
+  if (loopsWereCut()) atomicAdd(status.incomplete, 1u);
 }

@@ -110,7 +110,6 @@ uint closestLane(vec3 origin, vec3 direction, float tmin, float tmax, bool live)
       ref = pop(last);
     }
   }
-  incomplete = incomplete || ref != REF_NONE || stackSize > 0u;
   return best;
 }
 
@@ -145,7 +144,6 @@ bool visibleLane(vec3 light, vec3 point, bool live) {
       ref = pop(last);
     }
   }
-  incomplete = incomplete || ref != REF_NONE || stackSize > 0u;
   return live && !blocked;
 }
 

@@ -69,9 +69,7 @@ Hits closest(Rays rays) {
         ref = pop();
       } while (ref >= REF_LEAF && ref != REF_NONE);
     } while (ref != REF_NONE);
-    incomplete = incomplete || ref != REF_NONE;
   } while (orOfLanes(waiting) != 0u);
-  incomplete = incomplete || waiting != 0u;
   Hits hits;
   FOR_RAYS (uint r = 0u; r < R; ++r) hits.slot[r] = best[r];
   return hits;
@@ -166,9 +164,7 @@ void visible(vec3 light, vec3 points[R], bool live[R], out bool seen[R]) {
         ref = f.last == NEVER ? REF_NONE : next;
       } while (ref >= REF_LEAF && ref != REF_NONE);
     } while (ref != REF_NONE);
-    incomplete = incomplete || ref != REF_NONE;
   } while (orOfLanes(waiting) != 0u);
-  incomplete = incomplete || waiting != 0u;
   FOR_RAYS (uint r = 0u; r < R; ++r) seen[r] = (open >> r & 1u) != 0u;
 }
 

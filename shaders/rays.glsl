@@ -34,17 +34,14 @@ Hits closest(Rays rays);
 // seen[r] = nothing lies between the light and points[r]; false where not live.
 void visible(vec3 light, vec3 points[R], bool live[R], out bool seen[R]);
 
-// A driver may cut loops short without a word, lavapipe after 65,535 turns of all loops of 8 lanes
-// together: a walk that ends before its stack is empty raises this.
-bool incomplete = false;
-
-// From there on lavapipe ends each loop after a turn, and this one tells. The compiler does not
-// know how often it turns.
+// Whether the driver has cut loops short without a word, as lavapipe does after 65,535 turns of all
+// loops of 8 lanes together: from there on each loop ends after a turn, and this one, which a kernel
+// runs last, tells. The compiler does not know how often it turns.
 bool loopsWereCut() {
   const uint wanted = 2u + (pass.region.z >> 31);
   uint turns = 0u;
-  [[dont_unroll]] do turns++; while (turns < wanted);
-  return turns != wanted;
+  [[dont_unroll]] while (turns < wanted) turns++;
+  return turns < wanted;
 }
 
 #endif

@@ -36,7 +36,7 @@ void main() {
   visible(uintBitsToFloat(pass.core.xyz), points, live, seen);
   FOR_RAYS (uint r = 0u; r < R; ++r)
     if (numberOf(r) < pass.region.x) seenOf[numberOf(r)] = seen[r] ? 1u : 0u;
-  if (incomplete || loopsWereCut()) atomicAdd(status.incomplete, 1u);
+  if (loopsWereCut()) atomicAdd(status.incomplete, 1u);
 }
 #else
 vec4 hitAt(vec3 origin, vec3 direction, uint slot) {
@@ -68,6 +68,6 @@ void main() {
     if (hits.slot[r] != NO_HIT) result = hitAt(rays.origin, rays.direction[r], hits.slot[r]);
     hitOf[numberOf(r)] = result;
   }
-  if (incomplete || loopsWereCut()) atomicAdd(status.incomplete, 1u);
+  if (loopsWereCut()) atomicAdd(status.incomplete, 1u);
 }
 #endif
