@@ -6,6 +6,7 @@
 #include <cmath>
 #include <mutex>
 
+#include "core/error.h"
 #include "core/parallel.h"
 #include "explain/bounds.h"
 #include "explain/numbered.h"
@@ -203,6 +204,11 @@ std::uint64_t Explanation::unexcused() const {
 }
 
 Explanation explain(const Scene& scene, const Scene& judged, const VulkanOptions& vulkan) {
+  if (std::any_of(scene.meshes.begin(), scene.meshes.end(),
+                  [](const Mesh& mesh) { return mesh.sphere.has_value(); }))
+    throw Error(ExitCode::Usage,
+                fmt::format("--explain {}: it tells triangles apart, and the scene has a sphere",
+                            scene.file));
   return Comparison(scene, judged, vulkan).run();
 }
 

@@ -28,10 +28,11 @@ glm::dvec3 Reference::radiance(glm::dvec2 film, glm::dvec2 numbers) const {
 
 std::optional<Reference::Hit> Reference::closest(glm::dvec2 film) const {
   const reference::CameraRay camera = impl_->view.through(film);
-  const auto hit = impl_->world.tree().closest(camera.ray, camera.tmin, camera.tmax);
+  const auto hit = impl_->world.closest(camera.ray, camera.tmin, camera.tmax);
   if (!hit) return {};
-  const reference::Weights weights = hit->triangle->asGiven(hit->weights);
-  return Hit{hit->triangle->id, hit->t, weights[1], weights[2]};
+  if (!hit->triangle) return Hit{hit->id(), hit->t, 0.0, 0.0};
+  const reference::Weights weights = hit->triangle->triangle->asGiven(hit->triangle->weights);
+  return Hit{hit->id(), hit->t, weights[1], weights[2]};
 }
 
 bool Reference::decided(glm::dvec2 film, double delta, double tolerance, glm::dvec2 numbers) const {

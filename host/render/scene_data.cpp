@@ -30,7 +30,25 @@ class MeshPacker {
   }
 
  private:
+  void addSphere(const Mesh& mesh) {
+    const std::uint32_t id = nextId_++;
+    const auto radius = static_cast<float>(mesh.sphere->radius * data_.space.scale);
+    // sphere.h takes these to unit size by a power of two that floats hold.
+    if (radius < 0x1p-100F) {
+      ++data_.collapsedTriangles;
+      return;
+    }
+    const auto material = static_cast<std::uint32_t>(data_.materials.size());
+    if (hasAlbedos_) data_.materials.push_back({vec3(mesh.bsdf.albedo), 0.0F});
+    triangles_.push_back({vec3(data_.space.apply(mesh.sphere->centre)), id, vec3(radius), 0,
+                          vec3(0.0F), shared::IS_SPHERE});
+    if (hasNormals_ || hasAlbedos_)
+      data_.attributes.push_back(
+          {shared::NO_NORMAL, shared::NO_NORMAL, shared::NO_NORMAL, material});
+  }
+
   void add(const Mesh& mesh) {
+    if (mesh.sphere) return addSphere(mesh);
     std::vector<vec3> positions(mesh.positions.size());
     std::transform(mesh.positions.begin(), mesh.positions.end(), positions.begin(),
                    [&](const dvec3& p) { return vec3(data_.space.apply(p)); });
@@ -109,12 +127,17 @@ shared::Light lightData(const PointLight& light, const Normalisation& space) {
 
 Normalisation normalisationOf(const Scene& scene) {
   dvec3 lo(std::numeric_limits<double>::infinity()), hi(-lo);
-  for (const Mesh& mesh : scene.meshes)
+  for (const Mesh& mesh : scene.meshes) {
+    if (mesh.sphere) {
+      lo = glm::min(lo, mesh.sphere->centre - mesh.sphere->radius);
+      hi = glm::max(hi, mesh.sphere->centre + mesh.sphere->radius);
+    }
     for (const glm::uvec3& t : mesh.triangles)
       for (int corner = 0; corner < 3; ++corner) {
         lo = glm::min(lo, mesh.positions[t[corner]]);
         hi = glm::max(hi, mesh.positions[t[corner]]);
       }
+  }
   if (lo.x > hi.x) return {};
   Normalisation space;
   space.centre = lo * 0.5 + hi * 0.5;

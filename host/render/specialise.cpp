@@ -52,6 +52,11 @@ SpecConstants specialise(const Scene& scene, const RenderOptions& options, bool 
   constants[shared::SPEC_JUMP_LEVELS] = generic ? 3 : jumpLevels(scene.sampler.sampleCount);
   constants[shared::SPEC_FILTER] = filterConstant(scene.filter);
   constants[shared::SPEC_APRON] = apronOf(scene.filter.radius);
+  constants[shared::SPEC_SPHERES] =
+      generic || std::any_of(meshes.begin(), meshes.end(),
+                             [](const Mesh& m) { return m.sphere.has_value(); })
+          ? 1
+          : 0;
   constants[shared::SPEC_NORI_TABLE] = options.noriCompat ? 1 : 0;
   return constants;
 }

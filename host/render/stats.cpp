@@ -22,6 +22,7 @@ void Stats::describe(const SceneData& data) {
   if (c[shared::SPEC_NORMALS] == 0) leftOut.emplace_back("vertex normals: none needed");
   if (c[shared::SPEC_ALBEDOS] == 0) leftOut.emplace_back("materials: one albedo or none needed");
   if (c[shared::SPEC_LIGHTS] == 0) leftOut.emplace_back("shadow rays: no light needed");
+  if (c[shared::SPEC_SPHERES] == 0) leftOut.emplace_back("spheres: there are none");
   if (c[shared::SPEC_JUMP_LEVELS] < 3)
     leftOut.push_back(fmt::format("sampler tables: {} of 3 needed", c[shared::SPEC_JUMP_LEVELS]));
 }

@@ -85,6 +85,11 @@ std::string describeLight(const PointLight& light) {
 }
 
 std::string describeMesh(const Mesh& mesh) {
+  if (mesh.sphere)
+    return fmt::format(
+        "    Sphere[\n      center = {},\n      radius = {:g},\n"
+        "      bsdf = Diffuse[\n        albedo = {}\n      ],\n      emitter = null\n    ]",
+        triple(mesh.sphere->centre), mesh.sphere->radius, triple(mesh.bsdf.albedo));
   return fmt::format(
       "    Mesh[\n      name = \"{}\",\n      vertexCount = {},\n      triangleCount = {},\n"
       "      bsdf = Diffuse[\n        albedo = {}\n      ],\n      emitter = null\n    ]",

@@ -128,7 +128,15 @@ void buildObj(const Properties& given, std::string_view, Draft& draft) {
     name = given.text("filename");
     if (name.empty()) given.error("filename", "filename is empty, expected an OBJ file");
   }
-  draft.meshes.push_back({given.offset(), name, given.transform("toWorld"), {}});
+  draft.meshes.push_back({given.offset(), name, given.transform("toWorld"), {}, {}});
+}
+
+constexpr std::array kSphere = {PropertyRule{"center", Point, "0 0 0"},
+                                PropertyRule{"radius", Float, "1"}};
+
+void buildSphere(const Properties& given, std::string_view, Draft& draft) {
+  const Sphere sphere{given.triple("center"), positive(given, "radius")};
+  draft.meshes.push_back({given.offset(), "", glm::dmat4(1.0), {}, sphere});
 }
 
 constexpr std::array kDiffuse = {PropertyRule{"albedo", Color, "0.5 0.5 0.5"}};
@@ -169,6 +177,7 @@ constexpr std::array kObjects = {
     ObjectRule{"rfilter", "tent", {}, buildTent},
     ObjectRule{"rfilter", "box", {}, buildBox},
     ObjectRule{"mesh", "obj", kObj, buildObj},
+    ObjectRule{"mesh", "sphere", kSphere, buildSphere},
     ObjectRule{"bsdf", "diffuse", kDiffuse, buildDiffuse},
     ObjectRule{"emitter", "pointlight", kPointLight, buildPointLight},
     ObjectRule{"emitter", "point", kPowerLight, buildPowerLight},

@@ -48,9 +48,16 @@ struct PointLight {
   glm::dvec3 radiance{1.0};
 };
 
+/// In world space; its normal points outwards.
+struct Sphere {
+  glm::dvec3 centre{0.0};
+  double radius = 1.0;
+};
+
 /// Triangles in world space. Attributes are empty or hold one entry a vertex.
 struct Mesh {
-  std::string name;  ///< the file name as the scene gives it
+  std::string name;              ///< the file name as the scene gives it
+  std::optional<Sphere> sphere;  ///< instead of triangles
   std::vector<glm::dvec3> positions;
   std::vector<glm::dvec3> normals;  ///< unit length
   std::vector<glm::dvec2> uvs;

@@ -1,5 +1,6 @@
 #pragma once
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,7 @@ struct MeshDraft {
   std::string filename;
   glm::dmat4 toWorld{1.0};
   Diffuse bsdf;
+  std::optional<Sphere> sphere;  ///< then there is no file
 };
 
 /// A scene while it is read.

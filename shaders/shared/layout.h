@@ -32,7 +32,8 @@ LAVER_CONST uint SPEC_JUMP_LEVELS = 4;   // 1 to 3 tables of the sampler are nee
 LAVER_CONST uint SPEC_FILTER = 5;        // FILTER_*
 LAVER_CONST uint SPEC_APRON = 6;         // pixels on each side that a sample can reach
 LAVER_CONST uint SPEC_NORI_TABLE = 7;    // filter weights from Nori's table
-LAVER_CONST uint SPEC_CONSTANTS = 8;
+LAVER_CONST uint SPEC_SPHERES = 8;       // some mesh is a sphere
+LAVER_CONST uint SPEC_CONSTANTS = 9;
 
 LAVER_CONST uint FILTER_GAUSSIAN = 0;
 LAVER_CONST uint FILTER_MITCHELL = 1;
@@ -86,6 +87,8 @@ struct Node {
 
 // A triangle in the order of the leaves. Its corners are sorted, so that copies of one triangle are
 // met at the same depth to the bit, however their files list them. 3 texels.
+// Or a sphere, for which `flipped` is IS_SPHERE: `a` is its centre, b.x its radius.
+LAVER_CONST uint IS_SPHERE = 2;
 struct Triangle {
   vec3 a;
   uint id;  // its number in file order over all meshes

@@ -35,9 +35,11 @@ std::array<VkDescriptorType, shared::BINDINGS + 2> bindingTypes() {
 }
 
 Kernel kernelOf(const Device& device, const Bindings& bindings, const std::string& name,
-                std::uint32_t stack) {
+                const Bvh& bvh) {
   std::array<std::uint32_t, shared::SPEC_CONSTANTS> constants{};
-  constants[shared::SPEC_STACK] = stack;
+  constants[shared::SPEC_STACK] = bvh.stack;
+  for (const shared::Triangle& t : bvh.triangles)
+    if (t.flipped == shared::IS_SPHERE) constants[shared::SPEC_SPHERES] = 1;
   return {device, bindings, traceSpirvOf(name), constants, sizeof(shared::Pass)};
 }
 
@@ -50,8 +52,8 @@ struct RayTracer::Impl {
         params(d, "parameters", Buffer::Use::Uniform, sizeof(shared::Params)),
         status(d, "status", Buffer::Use::Storage, sizeof(shared::Status)),
         output(d, "hits", Buffer::Use::Storage, kRays * sizeof(TestHit)),
-        closest(kernelOf(d, bindings, "closest_" + traversal, bvh.stack)),
-        visible(kernelOf(d, bindings, "visible_" + traversal, bvh.stack)) {
+        closest(kernelOf(d, bindings, "closest_" + traversal, bvh)),
+        visible(kernelOf(d, bindings, "visible_" + traversal, bvh)) {
     shared::Params values{};
     values.film.w = bvh.root;
     params.upload(std::as_bytes(std::span(&values, 1)));

@@ -1,0 +1,123 @@
+// Spheres on the device against the reference, by both traversals.
+#include "explain/explain.h"
+#include "render/explain.h"
+#include "render/harness.h"
+
+namespace laver::test {
+namespace {
+
+Mesh sphere(glm::dvec3 centre, double radius, double albedo) {
+  Mesh mesh;
+  mesh.sphere = Sphere{centre, radius};
+  mesh.bsdf.albedo = glm::dvec3(albedo, 0.5, 1.0 - albedo);
+  return mesh;
+}
+
+/// Spheres of all sizes in a bumpy ball of triangles, seen from inside one of them.
+Scene someSpheres(Integrator integrator) {
+  Scene scene;
+  scene.integrator = integrator;
+  for (int i = 0; i < 40; ++i) {
+    const double a = 2.4 * i, z = 1.0 - 2.0 * (i + 0.5) / 40.0, r = std::sqrt(1.0 - z * z);
+    scene.meshes.push_back(sphere(glm::dvec3(r * std::cos(a), r * std::sin(a), z) * 0.8,
+                                  0.3 * std::pow(0.8, i), 0.02 * i));
+    if (i == 20) scene.meshes.push_back(ball(24, 40, 0.05, glm::dvec3(0.2, 0.1, 0.0)));
+  }
+  for (glm::dvec3& p : scene.meshes[21].positions) p *= 1.4;
+  for (glm::uvec3& t : scene.meshes[21].triangles) std::swap(t.x, t.y);
+  scene.camera.width = 71;
+  scene.camera.height = 50;
+  scene.camera.fov = 120.0;
+  scene.camera.toWorld[3] = glm::dvec4(0.1, 0.05, -0.3, 1.0);
+  scene.sampler.sampleCount = 2;
+  scene.avLength = 0.6;
+  scene.lights = {{glm::dvec3(0.1, 0.2, 0.1), glm::dvec3(1.0)},
+                  {glm::dvec3(-0.3, 0.1, -0.2), glm::dvec3(0.5)}};
+  return scene;
+}
+
+constexpr Integrator kAll[] = {Integrator::Normals, Integrator::DirectWhitted, Integrator::Depth,
+                               Integrator::AverageVisibility, Integrator::AmbientOcclusion};
+
+void expectMatch(const Scene& scene) {
+  VulkanOptions lane = cpuDevice(), packet = cpuDevice(), generic = cpuDevice();
+  lane.traversal = "lane";
+  packet.traversal = "packet";
+  generic.generic = true;
+  const Image image = render(scene, lane);
+  EXPECT_EQ(differingFloats(image, render(scene, packet)), 0U);
+  EXPECT_EQ(differingFloats(image, render(scene, generic)), 0U);
+  const Reference reference(scene);
+  const Image truth = reference.render();
+  const Explanation e = explain(image, truth, scene, reference, 1e-4);
+  EXPECT_EQ(e.unexplained, 0) << e.first;
+  EXPECT_LT(e.differing, image.width * image.height / 50);
+  EXPECT_GT(
+      std::count_if(truth.pixels.begin(), truth.pixels.end(), [](float v) { return v > 0.01F; }),
+      image.width * image.height / 20);
+}
+
+TEST(Spheres, EveryIntegratorEqualsTheReference) {
+  for (const Integrator integrator : kAll) {
+    SCOPED_TRACE(integratorName(integrator));
+    expectMatch(someSpheres(integrator));
+  }
+}
+
+TEST(Spheres, AloneAndFromInside) {
+  Scene scene;
+  scene.meshes = {sphere(glm::dvec3(3.0, -1.0, 2.0), 5.0, 0.3)};
+  scene.camera.width = scene.camera.height = 40;
+  scene.camera.fov = 100.0;
+  expectMatch(scene);
+  scene.camera.toWorld[3] = glm::dvec4(3.0, -1.0, -20.0, 1.0);
+  expectMatch(scene);
+}
+
+TEST(Spheres, UnderALightFromAfarAtAnyDistance) {
+  for (const double distance : {3.0, 3e2, 1e5}) {
+    SCOPED_TRACE(distance);
+    Scene scene;
+    scene.integrator = Integrator::DirectWhitted;
+    scene.meshes = {sphere(glm::dvec3(0.0), 1.0, 0.5), sphere(glm::dvec3(0.5, 0.6, -1.2), 0.3, 0.2),
+                    sphere(glm::dvec3(0.0, -31.0, 0.0), 30.0, 0.8)};
+    scene.camera.width = scene.camera.height = 96;
+    scene.camera.toWorld[3] = glm::dvec4(0.0, 0.3, -5.0, 1.0);
+    PointLight light;
+    light.position = glm::normalize(glm::dvec3(0.6, 0.7, -0.8)) * distance;
+    light.radiance = glm::dvec3(3.0 * distance * distance);
+    scene.lights = {light};
+    expectMatch(scene);
+  }
+}
+
+TEST(Spheres, ScaledByAPowerOfTwoTheyKeepTheirBits) {
+  Scene scene = someSpheres(Integrator::DirectWhitted);
+  const Image image = render(scene);
+  const double k = 0x1p12;
+  for (Mesh& mesh : scene.meshes) {
+    for (glm::dvec3& p : mesh.positions) p *= k;
+    if (mesh.sphere) mesh.sphere = Sphere{mesh.sphere->centre * k, mesh.sphere->radius * k};
+  }
+  for (PointLight& light : scene.lights) {
+    light.position *= k;
+    light.radiance *= k * k;
+  }
+  for (int i = 0; i < 3; ++i) scene.camera.toWorld[3][i] *= k;
+  scene.camera.nearClip *= k;
+  scene.camera.farClip *= k;
+  EXPECT_EQ(differingFloats(image, render(scene)), 0U);
+}
+
+TEST(Spheres, AreNotExplainedAndSaidSo) {
+  const Scene scene = someSpheres(Integrator::Normals);
+  try {
+    laver::explain(scene, scene, cpuDevice());
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::Usage);
+  }
+}
+
+}  // namespace
+}  // namespace laver::test
