@@ -36,17 +36,19 @@ Scene someSpheres(Integrator integrator) {
   return scene;
 }
 
-constexpr Integrator kAll[] = {Integrator::Normals, Integrator::DirectWhitted, Integrator::Depth,
+constexpr Integrator kAll[] = {Integrator::DirectWhitted, Integrator::Depth,
                                Integrator::AverageVisibility, Integrator::AmbientOcclusion};
 
-void expectMatch(const Scene& scene) {
+void expectMatch(const Scene& scene, bool alsoGeneric = false) {
   VulkanOptions lane = cpuDevice(), packet = cpuDevice(), generic = cpuDevice();
   lane.traversal = "lane";
   packet.traversal = "packet";
   generic.generic = true;
   const Image image = render(scene, lane);
   EXPECT_EQ(differingFloats(image, render(scene, packet)), 0U);
-  EXPECT_EQ(differingFloats(image, render(scene, generic)), 0U);
+  if (alsoGeneric) {
+    EXPECT_EQ(differingFloats(image, render(scene, generic)), 0U);
+  }
   const Reference reference(scene);
   const Image truth = reference.render();
   const Explanation e = explain(image, truth, scene, reference, 1e-4);
@@ -69,7 +71,7 @@ TEST(Spheres, AloneAndFromInside) {
   scene.meshes = {sphere(glm::dvec3(3.0, -1.0, 2.0), 5.0, 0.3)};
   scene.camera.width = scene.camera.height = 40;
   scene.camera.fov = 100.0;
-  expectMatch(scene);
+  expectMatch(scene, true);
   scene.camera.toWorld[3] = glm::dvec4(3.0, -1.0, -20.0, 1.0);
   expectMatch(scene);
 }
@@ -92,7 +94,7 @@ TEST(Spheres, UnderALightFromAfarAtAnyDistance) {
 }
 
 TEST(Spheres, ScaledByAPowerOfTwoTheyKeepTheirBits) {
-  Scene scene = someSpheres(Integrator::DirectWhitted);
+  Scene scene = someSpheres(Integrator::Normals);
   const Image image = render(scene);
   const double k = 0x1p12;
   for (Mesh& mesh : scene.meshes) {

@@ -93,7 +93,7 @@ std::vector<TestRay> raysAt(const Setting& s, std::uint64_t count, double edge) 
     return glm::normalize(dvec3(normal(random), normal(random), normal(random)));
   };
   std::vector<TestRay> rays;
-  vec3 origin;
+  vec3 origin(0.0F);
   for (std::uint64_t i = 0; i < count; ++i) {
     if (i % 64 == 0) origin = vec3(dvec3(s.centre) + double{s.distance} * anyWay());
     const dvec3 back = dvec3(s.centre) - dvec3(origin);
