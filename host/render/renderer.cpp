@@ -107,9 +107,9 @@ class Render {
       const Stopwatch watch(stats_.seconds.reconstruct);
       pass.tiles = {plan_.gatherRows, 0, 0, 0};
       device_.run([&](VkCommandBuffer commands) {
-        gather_->dispatch(
-            commands, onDevice_->bindings(), bytes(pass),
-            {groups(pass.core.z, shared::GATHER_GROUP), groups(pass.core.w, plan_.gatherRows), 1});
+        gather_->dispatch(commands, onDevice_->bindings(), bytes(pass),
+                          {groups(pass.core.z + pass.core.x - pass.region.x, shared::GATHER_GROUP),
+                           groups(pass.core.w, plan_.gatherRows), 1});
       });
       ++stats_.passes;
       stats_.samples += std::uint64_t{pass.core.z} * pass.core.w * pass.samples.y;

@@ -6,7 +6,7 @@
 LAVER_SHARED_BEGIN
 
 // Bindings of descriptor set 0. T: texel buffer of uvec4, S: storage buffer, U: uniform buffer,
-// I: storage texel buffer (on lavapipe a vec4 is stored to one in half the time).
+// I: storage texel buffer.
 LAVER_CONST uint BIND_PARAMS = 0;      // U Params
 LAVER_CONST uint BIND_NODES = 1;       // T Node
 LAVER_CONST uint BIND_TRIANGLES = 2;   // T Triangle
@@ -50,7 +50,7 @@ LAVER_CONST uint LIGHTS_A_DISPATCH = 8;
 LAVER_CONST uint GATHER_GROUP = 64;  // columns
 // Samples of a pixel that are summed plainly before a compensated sum takes them: a pass holds a
 // multiple of them, so that cutting a render into passes changes no bit.
-LAVER_CONST uint GATHER_SAMPLES = 4;
+LAVER_CONST uint GATHER_SAMPLES = 8;
 // Where the position of a sample that is left out stands: no filter reaches it.
 LAVER_CONST float DROPPED = 1e6f;
 
