@@ -15,8 +15,6 @@ std::uint64_t gatherTurns(std::uint64_t rows, std::uint64_t apron) {
 
 /// Long columns share most reads, short ones are many: a CPU wants the first.
 constexpr std::uint32_t kGatherRows = 64;
-/// Samples of a pixel that a pass takes if there is room, so that they are traced side by side.
-constexpr std::uint64_t kSideBySide = 16;
 
 std::uint64_t roundedUp(std::uint64_t n, std::uint64_t unit) {
   return (n + unit - 1) / unit * unit;
@@ -32,7 +30,8 @@ glm::uvec4 regionOf(Crop core, std::uint32_t apron, int width, int height) {
 }
 
 RenderPlan planRender(const VkPhysicalDeviceLimits& limits, Crop core, int width, int height,
-                      std::uint32_t apron, std::uint32_t samples, std::uint64_t maxSlots) {
+                      std::uint32_t apron, std::uint32_t samples, std::uint64_t maxSlots,
+                      std::uint32_t sideBySide) {
   // 2^22 samples take 84 MB and fill a GPU; a dispatch of as many rays ends well within a
   // watchdog's seconds.
   std::uint64_t slots = maxSlots == 0 ? std::uint64_t{1} << 22 : maxSlots;
@@ -69,7 +68,7 @@ RenderPlan planRender(const VkPhysicalDeviceLimits& limits, Crop core, int width
 
   // Rows give way to samples side by side, but not below four times the rows that only overlap.
   const auto coreRows = static_cast<std::uint64_t>(core.y1 - core.y0);
-  const std::uint64_t wanted = std::min<std::uint64_t>(most, kSideBySide);
+  const std::uint64_t wanted = std::min<std::uint64_t>(most, sideBySide);
   std::uint64_t rows =
       std::max({slots / slotsARow / wanted, std::min(8 * a, slots / slotsARow / unit), fewestRows});
   rows = full.w <= rows ? coreRows : std::max<std::uint64_t>(rows, 2 * a + 1) - 2 * a;
@@ -81,15 +80,16 @@ RenderPlan planRender(const VkPhysicalDeviceLimits& limits, Crop core, int width
   // Strips of equal length, since lavapipe gives each thread as many.
   const std::uint64_t strips = (rows + gatherRows - 1) / gatherRows;
   gatherRows = static_cast<std::uint32_t>((rows + strips - 1) / strips);
-  // Tiles of samples side by side are as small as two pixels.
-  Device::requireLimit("maxComputeWorkGroupCount[0]", (full.z + 1) / 2,
+  // Tiles of samples side by side are as small as one pixel, or two by two.
+  Device::requireLimit("maxComputeWorkGroupCount[0]", sideBySide == 64 ? full.z : (full.z + 1) / 2,
                        limits.maxComputeWorkGroupCount[0]);
   return {core,
           static_cast<std::uint32_t>(rows),
           static_cast<std::uint32_t>(pass),
           slotsARow * regionRows * roundedUp(pass, unit),
           static_cast<std::uint64_t>(core.x1 - core.x0) * rows,
-          gatherRows};
+          gatherRows,
+          sideBySide};
 }
 
 }  // namespace laver

@@ -36,6 +36,14 @@ bool tooDenseForPackets(std::uint64_t triangles, const Scene& scene) {
   return triangles > 5 * rays;
 }
 
+/// 64 samples of a pixel side by side share more of a fine mesh, and less of the film: a bunny of
+/// 1.9 triangles to a pixel is traced 1.25 times as fast as by 16, one of 0.08 0.95 times.
+std::uint32_t sideBySide(std::uint64_t triangles, const Camera& camera) {
+  const auto pixels =
+      static_cast<std::uint64_t>(camera.width) * static_cast<std::uint64_t>(camera.height);
+  return triangles > pixels ? 64 : 16;
+}
+
 std::string traceName(Integrator integrator, const std::string& traversal) {
   return std::string(integratorName(integrator)) + "_" + traversal;
 }
@@ -153,10 +161,11 @@ class Render {
     onDevice_->status().download(std::as_writable_bytes(std::span(&status_, 1)));
   }
 
-  /// As many samples of a pixel side by side as there are: 16, 4 or 1 in a tile of 64.
+  /// As many samples of a pixel side by side as there are: 64, 16, 4 or 1 in a tile of 64.
   void dispatchSamples(VkCommandBuffer commands, shared::Pass pass) const {
     std::uint32_t done = 0;
-    for (const std::uint32_t shift : {4U, 2U, 0U}) {
+    for (const std::uint32_t shift : {6U, 4U, 2U, 0U}) {
+      if (1U << shift > plan_.sideBySide) continue;
       const std::uint32_t count = (pass.samples.y - done) >> shift;
       if (count == 0) continue;
       const std::uint32_t side = 8U >> shift / 2;
@@ -226,9 +235,10 @@ Image Renderer::render(const Scene& scene, const RenderOptions& options, Stats& 
   stats.driver = device.driver();
   stats.seconds.vulkanStart = vulkan.seconds;
   const Crop core = options.crop.value_or(Crop{0, 0, scene.camera.width, scene.camera.height});
-  const RenderPlan plan = planRender(device.limits(), core, scene.camera.width, scene.camera.height,
-                                     data.constants[shared::SPEC_APRON], scene.sampler.sampleCount,
-                                     impl_->options.samplesInFlight);
+  const RenderPlan plan =
+      planRender(device.limits(), core, scene.camera.width, scene.camera.height,
+                 data.constants[shared::SPEC_APRON], scene.sampler.sampleCount,
+                 impl_->options.samplesInFlight, sideBySide(triangles, scene.camera));
   stats.samplesAPass = plan.samplesAPass;
   stats.samples = 0;
   stats.reached = {};
