@@ -35,6 +35,12 @@ uvec3 rayPlace(uvec2 tile, uint r) {
                pass.tiles.w + (gl_WorkGroupID.z << pass.tiles.z) + sampleNumber);
 }
 
+// Two numbers in [0, 1) that belong to the sample of ray r.
+vec2 moreNumbers(uint r) {
+  const uvec3 place = rayPlace(tileOrigin(), r);
+  return aperturePosition(pass.region.xy + place.xy, pass.samples.x + place.z);
+}
+
 vec3 cameraDirection(vec2 film) {
   precise float x = float(params.film.x) - 2.0 * film.x;
   precise float y = float(params.film.y) - 2.0 * film.y;

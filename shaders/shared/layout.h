@@ -126,7 +126,7 @@ struct Params {
   vec4 columnX;    // ray direction = columnX * (width - 2 px) + columnY * (height - 2 py) + columnZ
   vec4 columnY;
   vec4 columnZ;
-  vec4 clip;       // tmin, tmax, 1 / scale of space, -
+  vec4 clip;       // tmin, tmax, 1 / scale of space, how far av and ao look
   vec4 albedo;     // of all meshes, where they agree
   uvec4 film;      // width, height, samples a pixel, reference of the root
   uvec4 seed;      // low, high, -, -
