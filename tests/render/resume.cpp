@@ -18,7 +18,7 @@ Scene sceneOf(Kind kind, std::uint32_t samples) {
   return scene;
 }
 
-/// Bands of some rows, four samples a pass.
+/// Bands of some rows, few samples a pass.
 VulkanOptions inPieces(const char* traversal) {
   VulkanOptions vulkan = cpuDevice();
   vulkan.traversal = traversal;
@@ -60,7 +60,6 @@ TEST_F(Resume, AfterAnInterruptionAnywhereByLaneAndPacket) {
     Stats stats;
     const Image whole = renderer.render(scene, {}, stats);
     ASSERT_GT(stats.bands, 2U);
-    ASSERT_EQ(stats.passes, 4 * stats.bands);
     for (const int passes : {0, 3, 4, 6, static_cast<int>(stats.passes) - 1})
       EXPECT_EQ(differingFloats(whole, inTwoGoes(renderer, scene, scene, passes, Keep::WhenEnded)),
                 0U)
