@@ -54,6 +54,16 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
          "normals, direct_whitted, depth, av or ao")
       ->type_name("NAME");
   app.add_option_function<std::string>(
+         "--sampler",
+         [&](const std::string& name) {
+           command.overrides.sampler = samplerFromName(name);
+           if (!command.overrides.sampler)
+             throw CLI::ValidationError("--sampler",
+                                        "expected independent, stratified or sobol, not " + name);
+         },
+         "independent, stratified or sobol")
+      ->type_name("NAME");
+  app.add_option_function<std::string>(
          "--size",
          [&](const std::string& text) {
            const auto v = integers("--size", text, 'x', 2, "WIDTHxHEIGHT");
@@ -72,6 +82,8 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
   app.add_option("--device", command.vulkan.device, "index, part of the name, or cpu");
   app.add_option("--traversal", command.vulkan.traversal, "lane or packet");
   app.add_flag("--reference", command.reference, "render in double precision on the CPU");
+  app.add_flag("--resume", command.resume,
+               "go on from OUT.state.exr if there is one, and leave one to go on from");
   app.add_flag("--nori-compat", command.options.noriCompat, "filter weights from Nori's table");
   app.add_option("-t,--threads", command.options.threads, "threads, 0 for all")
       ->check(CLI::Range(0U, 4096U));

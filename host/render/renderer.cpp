@@ -52,8 +52,14 @@ std::string traceName(Integrator integrator, const std::string& traversal) {
 class Render {
  public:
   Render(const Device& device, const SceneData& data, const RenderPlan& plan, const Scene& scene,
-         const RenderOptions& options, Stats& stats)
-      : device_(device), data_(data), plan_(plan), scene_(scene), options_(options), stats_(stats) {
+         const RenderOptions& options, FilmState& state, Stats& stats)
+      : device_(device),
+        data_(data),
+        plan_(plan),
+        scene_(scene),
+        options_(options),
+        state_(state),
+        stats_(stats) {
     const Stopwatch watch(stats.seconds.upload);
     onDevice_.emplace(device, data, plan);
     // Touched for the first time here, while kernels may still be compiled.
@@ -70,22 +76,24 @@ class Render {
 
   Image run() {
     const Crop core = plan_.core;
-    std::vector<std::byte> copy;
-    for (int y = core.y0; y < core.y1; y += static_cast<int>(plan_.bandRows)) {
-      const Crop band{core.x0, y, core.x1, std::min(core.y1, y + static_cast<int>(plan_.bandRows))};
-      if (y != core.y0) onDevice_->film().fillZero();
-      const std::uint32_t samples = renderBand(band);
-      if (samples == 0) break;
-      stats_.reached.addRows(band.y1 - band.y0, samples, scene_.sampler.sampleCount);
-      const Stopwatch watch(stats_.seconds.readBack);
-      const std::size_t bytes = static_cast<std::size_t>(band.x1 - band.x0) *
-                                static_cast<std::size_t>(band.y1 - band.y0) *
-                                sizeof(shared::FilmPixel);
-      resolve(onDevice_->film().contents(bytes, copy), y - core.y0, image_, options_.threads);
-      ++stats_.bands;
-      if (samples != scene_.sampler.sampleCount) break;
+    const int height = core.y1 - core.y0;
+    const std::uint32_t wanted = scene_.sampler.sampleCount;
+    bool ended = false;
+    for (int row = 0, rows = 0; row < height; row += rows) {
+      rows = state_.alike(row, std::min(height - row, static_cast<int>(plan_.bandRows)));
+      std::uint32_t samples = state_.samples[static_cast<std::size_t>(row)];
+      if (ended || samples == wanted) {
+        if (samples != 0) resolve(state_.bytes(row, rows), row, image_, options_.threads);
+      } else {
+        samples = renderRows(row, rows, samples);
+        if (samples != wanted && state_.keep() == FilmState::Keep::WhenEnded)
+          state_.takeFinished(image_, row, wanted);
+        ended = samples != wanted;
+      }
+      stats_.reached.addRows(rows, samples, wanted);
     }
-    stats_.droppedSamples = status_.dropped;
+    state_.dropped += status_.dropped;
+    stats_.droppedSamples = state_.dropped;
     return std::move(image_);
   }
 
@@ -100,17 +108,46 @@ class Render {
                            traceName(scene_.integrator, stats_.traversal), data_.constants);
   }
 
-  /// Returns how many samples a pixel the band got.
-  std::uint32_t renderBand(const Crop& band) {
+  /// Brings rows of the picture, which fit into a band, from `had` to all samples a pixel, or to
+  /// where the render is ended; returns how many they have.
+  std::uint32_t renderRows(int row, int rows, std::uint32_t had) {
+    const int y = plan_.core.y0 + row;
+    const Crop band{plan_.core.x0, y, plan_.core.x1, y + rows};
+    if (had != 0)
+      onDevice_->film().upload(state_.bytes(row, rows));
+    else if (stats_.bands != 0)
+      onDevice_->film().fillZero();
+    const std::uint32_t wanted = scene_.sampler.sampleCount;
+    // Samples that are summed plainly are summed together, however often the render goes on.
+    const bool always = state_.keep() == FilmState::Keep::Always;
+    const std::uint32_t whole = always ? wanted - wanted % shared::GATHER_SAMPLES : wanted;
+    std::uint32_t has = renderBand(band, had, whole);
+    if (has != 0 && (always || (has != wanted && state_.keep() == FilmState::Keep::WhenEnded)))
+      state_.take(row, rows, filmOf(band), has);
+    if (has == whole && has != wanted) has = renderBand(band, whole, wanted);
+    if (has == 0) return 0;
+    const Stopwatch watch(stats_.seconds.readBack);
+    resolve(filmOf(band), row, image_, options_.threads);
+    ++stats_.bands;
+    return has;
+  }
+
+  std::span<const std::byte> filmOf(const Crop& band) {
+    const std::size_t pixels =
+        static_cast<std::size_t>(band.x1 - band.x0) * static_cast<std::size_t>(band.y1 - band.y0);
+    return onDevice_->film().contents(pixels * sizeof(shared::FilmPixel), copy_);
+  }
+
+  /// Adds samples [first, end) of every pixel; returns to which it came.
+  std::uint32_t renderBand(const Crop& band, std::uint32_t first, std::uint32_t end) {
     shared::Pass pass{};
     pass.region = regionOf(band, data_.constants[shared::SPEC_APRON], scene_.camera.width,
                            scene_.camera.height);
     pass.core = {band.x0, band.y0, band.x1 - band.x0, band.y1 - band.y0};
-    const std::uint32_t samples = scene_.sampler.sampleCount;
-    for (std::uint32_t first = 0; first < samples; first += plan_.samplesAPass) {
+    for (; first < end; first += pass.samples.y) {
       if (options_.stop && options_.stop()) return first;
       pass.samples.x = first;
-      pass.samples.y = std::min(plan_.samplesAPass, samples - first);
+      pass.samples.y = std::min(plan_.samplesAPass, end - first);
       tracePass(pass);
       const Stopwatch watch(stats_.seconds.reconstruct);
       pass.tiles = {plan_.gatherRows, 0, 0, 0};
@@ -123,7 +160,7 @@ class Render {
       stats_.samples += std::uint64_t{pass.core.z} * pass.core.w * pass.samples.y;
       reportProgress(band, first + pass.samples.y);
     }
-    return samples;
+    return end;
   }
 
   /// Traces the samples of a pass. Where a packet of rays meets more of the scene than one
@@ -189,7 +226,9 @@ class Render {
   const RenderPlan& plan_;
   const Scene& scene_;
   const RenderOptions& options_;
+  FilmState& state_;
   Stats& stats_;
+  std::vector<std::byte> copy_;
   std::optional<DeviceScene> onDevice_;
   std::optional<Kernel> trace_, gather_;
   shared::Status status_{};
@@ -211,6 +250,12 @@ Renderer::Renderer(const VulkanOptions& options) : impl_(new Impl{options, {}}) 
 Renderer::~Renderer() = default;
 
 Image Renderer::render(const Scene& scene, const RenderOptions& options, Stats& stats) {
+  FilmState nothing;
+  return render(scene, options, nothing, stats);
+}
+
+Image Renderer::render(const Scene& scene, const RenderOptions& options, FilmState& state,
+                       Stats& stats) {
   const SpecConstants constants = specialise(scene, options, impl_->options.generic);
   std::uint64_t triangles = 0;
   for (const Mesh& mesh : scene.meshes) {
@@ -235,6 +280,10 @@ Image Renderer::render(const Scene& scene, const RenderOptions& options, Stats& 
   stats.driver = device.driver();
   stats.seconds.vulkanStart = vulkan.seconds;
   const Crop core = options.crop.value_or(Crop{0, 0, scene.camera.width, scene.camera.height});
+  const Settings settings = state.keep() == FilmState::Keep::Nothing
+                                ? Settings{}
+                                : settingsOf(scene, data, core, device.info());
+  state.begin(settings, core.x1 - core.x0, core.y1 - core.y0, scene.sampler.sampleCount);
   const RenderPlan plan =
       planRender(device.limits(), core, scene.camera.width, scene.camera.height,
                  data.constants[shared::SPEC_APRON], scene.sampler.sampleCount,
@@ -242,7 +291,7 @@ Image Renderer::render(const Scene& scene, const RenderOptions& options, Stats& 
   stats.samplesAPass = plan.samplesAPass;
   stats.samples = 0;
   stats.reached = {};
-  Render picture(device, data, plan, scene, options, stats);
+  Render picture(device, data, plan, scene, options, state, stats);
   picture.take(compiling.get(), constants);
   Image image = picture.run();
   vulkan.instance.throwIfInvalid();
