@@ -23,20 +23,29 @@ void addCompensated(uint at, vec4 x) {
   filmPixels[at] = pixel;
 }
 
+// Which columns, which rows, how many samples of the pass.
+uvec3 gatherBlock() {
+  if (ADAPTIVE) return listedWork();
+  return uvec3(gl_WorkGroupID.xy, pass.samples.y);
+}
+
 void main() {
   const int apron = int(APRON);
   const ivec2 core = ivec2(pass.core.zw);
   const ivec2 shift = ivec2(pass.core.xy) - ivec2(pass.region.xy);
-  const int column = int(gl_GlobalInvocationID.x);
-  const int first = int(gl_WorkGroupID.y * pass.tiles.x);
+  const uvec3 block = gatherBlock();
+  const int column = int(block.x * GATHER_GROUP + gl_LocalInvocationID.x);
+  const int first = int(block.y * pass.tiles.x);
   const int end = min(first + int(pass.tiles.x), core.y);
 
-  for (uint group = 0u; group < pass.samples.y; group += GATHER_SAMPLES) {
-    const uint groupEnd = min(group + GATHER_SAMPLES, pass.samples.y);
+  for (uint group = 0u; group < block.z; group += GATHER_SAMPLES) {
+    const uint groupEnd = min(group + GATHER_SAMPLES, block.z);
     vec4 sums[REACH];  // of rows row - apron to row + apron
     [[unroll]] for (uint k = 0u; k < REACH; ++k) sums[k] = vec4(0.0);
     for (int row = first - apron; row < end + apron; ++row) {
-      for (uint s = group; s < groupEnd; ++s) addRow(sums, column + shift.x, row + shift.y, s);
+      uint rowEnd = groupEnd;
+      if (ADAPTIVE) rowEnd = min(rowEnd, mostNear(column + shift.x, row + shift.y));
+      for (uint s = group; s < rowEnd; ++s) addRow(sums, column + shift.x, row + shift.y, s);
       const int done = row - apron;
       if (done >= first && column < core.x) addCompensated(uint(done * core.x + column), sums[0]);
       [[unroll]] for (uint k = 1u; k < REACH; ++k) sums[k - 1u] = sums[k];

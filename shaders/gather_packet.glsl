@@ -11,6 +11,15 @@ float either(bool first, float a, float b, uint from) {
   return first ? x : y;
 }
 
+// The most samples of the pass that a place of a row which the lanes' columns x reach has.
+uint mostNear(int x, int row) {
+  const int first = x - int(APRON);
+  uint most = max(samplesAt(first, row), samplesAt(first + 8, row));
+  [[unroll]] for (uint step = 1u; step < 8u; step *= 2u)
+    most = max(most, subgroupShuffleXor(most, step));
+  return most;
+}
+
 // Adds samples number s of a row of pixels to what they reach of column x of the region.
 void addRow(inout vec4 sums[REACH], int x, int row, uint s) {
   float ax[REACH], ay[REACH], bx[REACH], by[REACH];

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace laver {
 
@@ -11,6 +12,12 @@ glm::uvec4 regionOf(Crop core, std::uint32_t apron, int width, int height) {
   const int x0 = std::max(core.x0 - a, 0), x1 = std::min(core.x1 + a, width);
   const int y0 = std::max(core.y0 - a, 0), y1 = std::min(core.y1 + a, height);
   return {x0, y0, x1 - x0, y1 - y0};
+}
+
+std::uint32_t rowStride(std::uint32_t rows) {
+  auto stride = std::max(1U, static_cast<std::uint32_t>(0.618 * rows));
+  while (std::gcd(stride, rows) != 1) ++stride;
+  return stride;
 }
 
 namespace {

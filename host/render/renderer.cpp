@@ -2,27 +2,23 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <future>
-#include <numeric>
 #include <optional>
+#include <utility>
 
 #include "core/parallel.h"
 #include "render/device_scene.h"
 #include "render/kernels.h"
 #include "render/plan.h"
 #include "render/resolve.h"
+#include "render/sampler_data.h"
 #include "render/stopwatch.h"
 #include "render/vulkan_start.h"
+#include "render/work_list.h"
 
 namespace laver {
 namespace {
-
-/// A stride that visits all of 0 .. rows - 1 in an even mix: coprime to rows, near 0.618 of it.
-std::uint32_t rowStride(std::uint32_t rows) {
-  auto stride = std::max(1U, static_cast<std::uint32_t>(0.618 * rows));
-  while (std::gcd(stride, rows) != 1) ++stride;
-  return stride;
-}
 
 std::uint32_t groups(std::uint32_t count, std::uint32_t size) { return (count + size - 1) / size; }
 
@@ -36,6 +32,9 @@ bool tooDenseForPackets(std::uint64_t triangles, const Scene& scene) {
   return triangles > 5 * rays;
 }
 
+/// log2 of how many samples of a pixel are traced side by side.
+constexpr std::array<std::uint32_t, 3> kShifts = {4, 2, 0};
+
 std::string traceName(Integrator integrator, const std::string& traversal) {
   return std::string(integratorName(integrator)) + "_" + traversal;
 }
@@ -44,13 +43,19 @@ std::string traceName(Integrator integrator, const std::string& traversal) {
 class Render {
  public:
   Render(const Device& device, const SceneData& data, const RenderPlan& plan, const Scene& scene,
-         const RenderOptions& options, Stats& stats)
-      : device_(device), data_(data), plan_(plan), scene_(scene), options_(options), stats_(stats) {
+         const RenderOptions& options, Crop core, Stats& stats)
+      : device_(device),
+        data_(data),
+        plan_(plan),
+        scene_(scene),
+        options_(options),
+        core_(core),
+        stats_(stats) {
     const Stopwatch watch(stats.seconds.upload);
     onDevice_.emplace(device, data, plan);
     // Touched for the first time here, while kernels may still be compiled.
     onDevice_->film().fillZero();
-    image_ = rgbImage(plan.core.x1 - plan.core.x0, plan.core.y1 - plan.core.y0);
+    image_ = rgbImage(core.x1 - core.x0, core.y1 - core.y0);
   }
 
   /// Takes kernels that were compiled with `constants`.
@@ -61,21 +66,12 @@ class Render {
   }
 
   Image run() {
-    const Crop core = plan_.core;
-    std::vector<std::byte> copy;
-    for (int y = core.y0; y < core.y1; y += static_cast<int>(plan_.bandRows)) {
-      const Crop band{core.x0, y, core.x1, std::min(core.y1, y + static_cast<int>(plan_.bandRows))};
-      if (y != core.y0) onDevice_->film().fillZero();
-      const std::uint32_t samples = renderBand(band);
-      if (samples == 0) break;
-      stats_.reached.addRows(band.y1 - band.y0, samples, scene_.sampler.sampleCount);
-      const Stopwatch watch(stats_.seconds.readBack);
-      const std::size_t bytes = static_cast<std::size_t>(band.x1 - band.x0) *
-                                static_cast<std::size_t>(band.y1 - band.y0) *
-                                sizeof(shared::FilmPixel);
-      resolve(onDevice_->film().contents(bytes, copy), y - core.y0, image_, options_.threads);
-      ++stats_.bands;
-      if (samples != scene_.sampler.sampleCount) break;
+    if (options_.error == 0.0) {
+      renderFilm(core_, scene_.sampler.sampleCount, image_);
+    } else if (const auto map = runPilots()) {
+      map_ = &*map;
+      renderFilm(core_, mostOf(scene_.sampler), image_);
+      stats_.adaptive.describe(*map, core_, mostOf(scene_.sampler));
     }
     stats_.droppedSamples = status_.dropped;
     return std::move(image_);
@@ -92,36 +88,77 @@ class Render {
                            traceName(scene_.integrator, stats_.traversal), data_.constants);
   }
 
-  /// Returns how many samples a pixel the band got.
-  std::uint32_t renderBand(const Crop& band) {
+  /// Pictures of one sample a pixel of all that the counts of the core's samples depend on. None if
+  /// stopped.
+  std::optional<SampleMap> runPilots() {
+    const Crop area = plan_.core;
+    const SampleMap one(area, 1);
+    map_ = &one;
+    std::vector<Image> pilots;
+    shared::Params params = data_.params;
+    for (int i = 0; i < kPilots; ++i) {
+      packSeed(pilotSeed(scene_.sampler.seed, i), params);
+      onDevice_->upload(params);
+      pilots.push_back(rgbImage(area.x1 - area.x0, area.y1 - area.y0));
+      renderFilm(area, 1, pilots.back());
+      const bool whole = stats_.reached.wholeRows == pilots.back().height;
+      stats_.reached = {};
+      if (!whole) return {};
+    }
+    onDevice_->upload(data_.params);
+    status_.dropped = 0;
+    onDevice_->status().upload(std::as_bytes(std::span(&status_, 1)));
+    stats_.adaptive.pilotSamples = std::exchange(stats_.samples, 0);
+    return decideSamples(pilots, area, options_.error, mostOf(scene_.sampler), options_.threads);
+  }
+
+  /// `samples` a pixel, or as many of them as the map says.
+  void renderFilm(Crop core, std::uint32_t samples, Image& image) {
+    std::vector<std::byte> copy;
+    for (int y = core.y0; y < core.y1; y += static_cast<int>(plan_.bandRows)) {
+      const Crop band{core.x0, y, core.x1, std::min(core.y1, y + static_cast<int>(plan_.bandRows))};
+      if (std::exchange(filmUsed_, true)) onDevice_->film().fillZero();
+      const std::uint32_t done = renderBand(band, samples);
+      if (done == 0) break;
+      stats_.reached.addRows(band.y1 - band.y0, done, samples);
+      const Stopwatch watch(stats_.seconds.readBack);
+      const std::size_t bytes = static_cast<std::size_t>(band.x1 - band.x0) *
+                                static_cast<std::size_t>(band.y1 - band.y0) *
+                                sizeof(shared::FilmPixel);
+      resolve(onDevice_->film().contents(bytes, copy), y - core.y0, image, options_.threads);
+      ++stats_.bands;
+      if (done != samples) break;
+    }
+  }
+
+  /// Returns how many of `samples` a pixel the band got.
+  std::uint32_t renderBand(const Crop& band, std::uint32_t samples) {
     shared::Pass pass{};
     pass.region = regionOf(band, data_.constants[shared::SPEC_APRON], scene_.camera.width,
                            scene_.camera.height);
     pass.core = {band.x0, band.y0, band.x1 - band.x0, band.y1 - band.y0};
-    const std::uint32_t samples = scene_.sampler.sampleCount;
-    for (std::uint32_t first = 0; first < samples; first += plan_.samplesAPass) {
-      if (options_.stop && options_.stop()) return first;
-      pass.samples.x = first;
-      pass.samples.y = std::min(plan_.samplesAPass, samples - first);
+    const std::uint32_t most = map_ != nullptr ? map_->most(cropOf(pass.region)) : samples;
+    if (map_ != nullptr) onDevice_->upload(map_->counts(pass.region));
+    std::uint32_t done = 0;
+    while (done < most && !(options_.stop && options_.stop())) {
+      pass.samples.x = done;
+      pass.samples.y = std::min(plan_.samplesAPass, most - done);
       tracePass(pass);
-      const Stopwatch watch(stats_.seconds.reconstruct);
-      pass.tiles = {plan_.gatherRows, 0, 0, 0};
-      device_.run([&](VkCommandBuffer commands) {
-        gather_->dispatch(
-            commands, onDevice_->bindings(), bytes(pass),
-            {groups(pass.core.z, shared::GATHER_GROUP), groups(pass.core.w, plan_.gatherRows), 1});
-      });
+      gatherPass(pass);
       ++stats_.passes;
-      stats_.samples += std::uint64_t{pass.core.z} * pass.core.w * pass.samples.y;
-      reportProgress(band, first + pass.samples.y);
+      done += pass.samples.y;
+      reportProgress(band, static_cast<double>(done) / most);
     }
-    return samples;
+    stats_.samples += map_ != nullptr ? map_->samplesOf(band, done)
+                                      : std::uint64_t{pass.core.z} * pass.core.w * done;
+    return done == most ? samples : done;
   }
 
   /// Traces the samples of a pass. Where a packet of rays meets more of the scene than one
   /// invocation may walk through, this pass and all that follow go ray by ray: the same bits.
   void tracePass(const shared::Pass& pass) {
     const shared::Status before = status_;
+    if (map_ != nullptr) listWork(pass);
     dispatchPass(pass);
     if (status_.incomplete != 0 && stats_.traversal == "packet") {
       stats_.traversal = "lane";
@@ -155,8 +192,15 @@ class Render {
 
   /// As many samples of a pixel side by side as there are: 16, 4 or 1 in a tile of 64.
   void dispatchSamples(VkCommandBuffer commands, shared::Pass pass) const {
+    if (map_ != nullptr) {
+      for (std::size_t i = 0; i < kShifts.size(); ++i) {
+        pass.tiles.z = kShifts[i];
+        dispatch(commands, *trace_, pass, tracing_[i]);
+      }
+      return;
+    }
     std::uint32_t done = 0;
-    for (const std::uint32_t shift : {4U, 2U, 0U}) {
+    for (const std::uint32_t shift : kShifts) {
       const std::uint32_t count = (pass.samples.y - done) >> shift;
       if (count == 0) continue;
       const std::uint32_t side = 8U >> shift / 2;
@@ -168,11 +212,41 @@ class Render {
     }
   }
 
-  void reportProgress(const Crop& band, std::uint32_t samplesDone) const {
-    if (!options_.progress) return;
-    const double rows = plan_.core.y1 - plan_.core.y0;
-    const double share = static_cast<double>(samplesDone) / scene_.sampler.sampleCount;
-    options_.progress((band.y0 - plan_.core.y0 + share * (band.y1 - band.y0)) / rows);
+  void gatherPass(shared::Pass pass) {
+    const Stopwatch watch(stats_.seconds.reconstruct);
+    pass.tiles = {plan_.gatherRows, 0, 0, 0};
+    device_.run([&](VkCommandBuffer commands) {
+      if (map_ != nullptr)
+        dispatch(commands, *gather_, pass, gathering_);
+      else
+        gather_->dispatch(
+            commands, onDevice_->bindings(), bytes(pass),
+            {groups(pass.core.z, shared::GATHER_GROUP), groups(pass.core.w, plan_.gatherRows), 1});
+    });
+  }
+
+  /// Lists the work of a pass where cells have counts of their own.
+  void listWork(const shared::Pass& pass) {
+    std::vector<shared::Work> list;
+    for (std::size_t i = 0; i < kShifts.size(); ++i)
+      tracing_[i] = listTracing(*map_, pass, kShifts[i], list);
+    gathering_ =
+        listGathering(*map_, pass, plan_.gatherRows, data_.constants[shared::SPEC_APRON], list);
+    onDevice_->upload(list);
+  }
+
+  void dispatch(VkCommandBuffer commands, const Kernel& kernel, shared::Pass pass,
+                const WorkRange& work) const {
+    if (work.rows == 0) return;
+    pass.tiles.w = work.first;
+    kernel.dispatch(commands, onDevice_->bindings(), bytes(pass), {work.columns, work.rows, 1});
+  }
+
+  /// `share` of the band is done.
+  void reportProgress(const Crop& band, double share) const {
+    if (!options_.progress || (map_ != nullptr && stats_.adaptive.pilotSamples == 0)) return;
+    const double rows = core_.y1 - core_.y0;
+    options_.progress((band.y0 - core_.y0 + share * (band.y1 - band.y0)) / rows);
   }
 
   const Device& device_;
@@ -180,11 +254,16 @@ class Render {
   const RenderPlan& plan_;
   const Scene& scene_;
   const RenderOptions& options_;
+  const Crop core_;
   Stats& stats_;
   std::optional<DeviceScene> onDevice_;
   std::optional<Kernel> trace_, gather_;
   shared::Status status_{};
   Image image_;
+  bool filmUsed_ = false;
+  const SampleMap* map_ = nullptr;  ///< adaptive sampling only, as what follows
+  std::array<WorkRange, kShifts.size()> tracing_{};
+  WorkRange gathering_{};
 };
 
 }  // namespace
@@ -226,13 +305,19 @@ Image Renderer::render(const Scene& scene, const RenderOptions& options, Stats& 
   stats.driver = device.driver();
   stats.seconds.vulkanStart = vulkan.seconds;
   const Crop core = options.crop.value_or(Crop{0, 0, scene.camera.width, scene.camera.height});
-  const RenderPlan plan = planRender(device.limits(), core, scene.camera.width, scene.camera.height,
-                                     data.constants[shared::SPEC_APRON], scene.sampler.sampleCount,
-                                     impl_->options.samplesInFlight);
+  const glm::uvec4 region =
+      regionOf(core, data.constants[shared::SPEC_APRON], scene.camera.width, scene.camera.height);
+  const Crop planned = options.error == 0.0
+                           ? core
+                           : pilotArea(cropOf(region), scene.camera.width, scene.camera.height);
+  const RenderPlan plan = planRender(device.limits(), planned, scene.camera.width,
+                                     scene.camera.height, data.constants[shared::SPEC_APRON],
+                                     scene.sampler.sampleCount, impl_->options.samplesInFlight);
   stats.samplesAPass = plan.samplesAPass;
   stats.samples = 0;
   stats.reached = {};
-  Render picture(device, data, plan, scene, options, stats);
+  stats.adaptive = {options.error};
+  Render picture(device, data, plan, scene, options, core, stats);
   picture.take(compiling.get(), constants);
   Image image = picture.run();
   vulkan.instance.throwIfInvalid();

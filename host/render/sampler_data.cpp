@@ -60,8 +60,11 @@ void packSampler(const Scene& scene, SceneData& data) {
     appendTable(data.jumps, 0, kNumbersPerSample * low, (samples + low - 1) / low);
   }
   data.params.film.z = samples;
-  const auto seed = static_cast<std::uint64_t>(scene.sampler.seed);
-  data.params.seed = {halves(seed), 0, 0};
+  packSeed(scene.sampler.seed, data.params);
+}
+
+void packSeed(std::int64_t seed, shared::Params& params) {
+  params.seed = {halves(static_cast<std::uint64_t>(seed)), 0, 0};
 }
 
 }  // namespace laver
