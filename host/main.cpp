@@ -52,11 +52,11 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
            command.overrides.integrator = integratorFromName(name);
            if (!command.overrides.integrator)
              throw CLI::ValidationError("--integrator",
-                                        "expected normals, direct_whitted or "
-                                        "depth, not " +
+                                        "expected normals, direct_whitted, depth, "
+                                        "av or ao, not " +
                                             name);
          },
-         "normals, direct_whitted or depth")
+         "normals, direct_whitted, depth, av or ao")
       ->type_name("NAME");
   app.add_option_function<std::string>(
          "--size",
@@ -130,6 +130,9 @@ int dispatch(int argc, char** argv) {
   compareApp->add_option("--out", compare.out, "folder for difference.exr and difference.png")
       ->type_name("DIR");
   const CLI::App* devicesApp = app.add_subcommand("devices", "Lists Vulkan devices");
+  CLI::App* schemaApp = app.add_subcommand("schema", "Lists all that a scene file may hold");
+  bool schemaJson = false;
+  schemaApp->add_flag("--json", schemaJson, "as JSON");
   app.require_subcommand(0, 1);
 
   try {
@@ -148,6 +151,7 @@ int dispatch(int argc, char** argv) {
     return fail(ExitCode::Usage, "compare takes two pictures, or --explain SCENE.xml");
   if (compareApp->parsed()) return static_cast<int>(run(compare));
   if (devicesApp->parsed()) return static_cast<int>(runDevices());
+  if (schemaApp->parsed()) return static_cast<int>(runSchema(schemaJson));
   if (render.scene.empty()) return fail(ExitCode::Usage, "no scene given; see laver --help");
   return static_cast<int>(run(render));
 }

@@ -20,7 +20,7 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]);
 // First pixel and sample of the workgroup's tile. Rows of tiles are permuted, so that threads that
 // get one range of workgroups each get equal work.
 uvec3 tileOrigin() {
-  if (ADAPTIVE) return listedWork();
+  if (ADAPTIVE) return listedWork(groupNumber());
   const uint row = gl_WorkGroupID.y * pass.tiles.y % pass.tiles.x;
   return uvec3(uvec2(gl_WorkGroupID.x, row) * (8u >> (pass.tiles.z >> 1)),
                pass.tiles.w + (gl_WorkGroupID.z << pass.tiles.z));
@@ -35,6 +35,12 @@ uvec3 rayPlace(uvec3 tile, uint r) {
   const uvec2 inside = uvec2((m & 1u) | (m >> 1 & 2u) | (m >> 2 & 4u),
                              (m >> 1 & 1u) | (m >> 2 & 2u) | (m >> 3 & 4u));
   return tile + uvec3(inside, sampleNumber);
+}
+
+// Two numbers in [0, 1) that belong to the sample of ray r.
+vec2 moreNumbers(uint r) {
+  const uvec3 place = rayPlace(tileOrigin(), r);
+  return aperturePosition(pass.region.xy + place.xy, pass.samples.x + place.z);
 }
 
 vec3 cameraDirection(vec2 film) {

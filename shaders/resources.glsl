@@ -37,15 +37,15 @@ layout(binding = BIND_WORK) uniform usamplerBuffer workTexels;
 
 vec3 texelVec3(uvec4 texel) { return uintBitsToFloat(texel.xyz); }
 
-// Where sample s of region pixel (x, y) lies: in columns of 8 pixels, so that gathering goes
-// through memory from front to back.
+// Where sample s of region pixel (x, y) lies: in columns as wide as what a group gathers, so that it
+// goes through memory from front to back.
 int sampleSlot(uvec3 xys) {
   const bool whole = pass.samples.y >= GATHER_SAMPLES;
   const uint unit = whole ? GATHER_SAMPLES : pass.samples.y;
   const uint units = whole ? (pass.samples.y + GATHER_SAMPLES - 1u) / GATHER_SAMPLES : 1u;
   const uint number = whole ? xys.z / GATHER_SAMPLES : 0u;
-  const uint block = (xys.x / 8u * units + number) * pass.region.w + xys.y;
-  return int((block * unit + (xys.z - number * GATHER_SAMPLES)) * 8u + xys.x % 8u);
+  const uint block = (xys.x / GATHER_GROUP * units + number) * pass.region.w + xys.y;
+  return int((block * unit + (xys.z - number * GATHER_SAMPLES)) * GATHER_GROUP + xys.x % GATHER_GROUP);
 }
 
 #endif

@@ -33,9 +33,22 @@ uvec2 jump(uvec2 state, uvec2 inc, uint entry) {
   return add64(mul64(t.xy, state), mul64(t.zw, inc));
 }
 
-// Film position of a sample in pixels: the float sum of pixel and jitter, as Nori has it. Precise,
-// or a compiler turns (pixel + jitter) - pixel back into jitter.
-vec2 filmPosition(uvec2 pixel, uint number) {
+// A generator before its next number.
+struct Stream {
+  uvec2 state, inc;
+};
+
+// The next two numbers. Nori built with gcc draws y first.
+vec2 nextPair(inout Stream s) {
+  const float y = unitFloat(pcgOutput(s.state));
+  s.state = add64(mul64(s.state, PCG_MULTIPLIER), s.inc);
+  const float x = unitFloat(pcgOutput(s.state));
+  s.state = add64(mul64(s.state, PCG_MULTIPLIER), s.inc);
+  return vec2(x, y);
+}
+
+// Where the numbers of a sample begin.
+Stream streamAt(uvec2 pixel, uint number) {
   const uvec2 block = pixel & ~31u;
   const uvec2 inside = pixel & 31u;
   const uint blockWidth = min(32u, params.film.x - block.x);
@@ -50,11 +63,23 @@ vec2 filmPosition(uvec2 pixel, uint number) {
     state = jump(state, inc, params.jumps.x + number % params.jumps.z);
     state = jump(state, inc, params.jumps.y + number / params.jumps.z);
   }
-  const float y = unitFloat(pcgOutput(state));  // Nori built with gcc draws y first
-  state = add64(mul64(state, PCG_MULTIPLIER), inc);
-  const float x = unitFloat(pcgOutput(state));
-  precise vec2 film = vec2(pixel) + vec2(x, y);
+  return Stream(state, inc);
+}
+
+// Film position of a sample in pixels: the float sum of pixel and jitter, as Nori has it. Precise,
+// or a compiler turns (pixel + jitter) - pixel back into jitter.
+vec2 filmPosition(uvec2 pixel, uint number) {
+  Stream s = streamAt(pixel, number);
+  precise vec2 film = vec2(pixel) + nextPair(s);
   return film;
+}
+
+// The two numbers after these, which Nori draws for the aperture. A pinhole does not use them, so
+// that they are free to choose a direction.
+vec2 aperturePosition(uvec2 pixel, uint number) {
+  Stream s = streamAt(pixel, number);
+  nextPair(s);
+  return nextPair(s);
 }
 
 #endif

@@ -40,5 +40,7 @@ ExitCode run(const RenderCommand& command);
 ExitCode run(const CompareCommand& command);
 /// `laver devices`.
 ExitCode runDevices();
+/// `laver schema`.
+ExitCode runSchema(bool json);
 
 }  // namespace laver

@@ -8,6 +8,15 @@ namespace {
 
 constexpr VkFormat kTexels = VK_FORMAT_R32G32B32A32_UINT;
 
+/// lavapipe compiles a kernel anew when a texel buffer's size becomes or ceases to be a power of
+/// two: none is.
+VkDeviceSize notPowerOfTwo(VkDeviceSize bytes, VkDeviceSize texel) {
+  const VkDeviceSize texels = bytes / texel;
+  return (std::has_single_bit(texels) ? texels + 1 : texels) * texel;
+}
+
+}  // namespace
+
 std::array<VkDescriptorType, shared::BINDINGS> bindingTypes() {
   std::array<VkDescriptorType, shared::BINDINGS> types;
   types.fill(VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER);
@@ -18,15 +27,6 @@ std::array<VkDescriptorType, shared::BINDINGS> bindingTypes() {
     types[b] = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
   return types;
 }
-
-/// lavapipe compiles a kernel anew when a texel buffer's size becomes or ceases to be a power of
-/// two: none is.
-VkDeviceSize notPowerOfTwo(VkDeviceSize bytes, VkDeviceSize texel) {
-  const VkDeviceSize texels = bytes / texel;
-  return (std::has_single_bit(texels) ? texels + 1 : texels) * texel;
-}
-
-}  // namespace
 
 DeviceScene::DeviceScene(const Device& device, const SceneData& data, const RenderPlan& plan)
     : device_(device), bindings_(device, bindingTypes()) {

@@ -1,5 +1,5 @@
 #pragma once
-#include <map>
+#include <array>
 #include <span>
 #include <vector>
 
@@ -8,6 +8,9 @@
 #include "vulkan/bindings.h"
 
 namespace laver {
+
+/// What each binding of layout.h is.
+std::array<VkDescriptorType, shared::BINDINGS> bindingTypes();
 
 /// Everything that one render keeps on the device, bound as shaders/shared/layout.h numbers it.
 class DeviceScene {

@@ -33,7 +33,15 @@ bool tooDenseForPackets(std::uint64_t triangles, const Scene& scene) {
 }
 
 /// log2 of how many samples of a pixel are traced side by side.
-constexpr std::array<std::uint32_t, 3> kShifts = {4, 2, 0};
+constexpr std::array<std::uint32_t, 4> kShifts = {6, 4, 2, 0};
+
+/// 64 samples of a pixel side by side share more of a fine mesh, and less of the film: a bunny of
+/// 1.9 triangles to a pixel is traced 1.25 times as fast as by 16, one of 0.08 0.95 times.
+std::uint32_t sideBySide(std::uint64_t triangles, const Camera& camera) {
+  const auto pixels =
+      static_cast<std::uint64_t>(camera.width) * static_cast<std::uint64_t>(camera.height);
+  return triangles > pixels ? 64 : 16;
+}
 
 std::string traceName(Integrator integrator, const std::string& traversal) {
   return std::string(integratorName(integrator)) + "_" + traversal;
@@ -190,7 +198,7 @@ class Render {
     onDevice_->status().download(std::as_writable_bytes(std::span(&status_, 1)));
   }
 
-  /// As many samples of a pixel side by side as there are: 16, 4 or 1 in a tile of 64.
+  /// As many samples of a pixel side by side as there are: 64, 16, 4 or 1 in a tile of 64.
   void dispatchSamples(VkCommandBuffer commands, shared::Pass pass) const {
     if (map_ != nullptr) {
       for (std::size_t i = 0; i < kShifts.size(); ++i) {
@@ -201,6 +209,7 @@ class Render {
     }
     std::uint32_t done = 0;
     for (const std::uint32_t shift : kShifts) {
+      if (1U << shift > plan_.sideBySide) continue;
       const std::uint32_t count = (pass.samples.y - done) >> shift;
       if (count == 0) continue;
       const std::uint32_t side = 8U >> shift / 2;
@@ -214,14 +223,14 @@ class Render {
 
   void gatherPass(shared::Pass pass) {
     const Stopwatch watch(stats_.seconds.reconstruct);
-    pass.tiles = {plan_.gatherRows, 0, 0, 0};
+    pass.tiles = {map_ != nullptr ? shared::STRIP_ROWS : plan_.gatherRows, 0, 0, 0};
     device_.run([&](VkCommandBuffer commands) {
       if (map_ != nullptr)
         dispatch(commands, *gather_, pass, gathering_);
       else
-        gather_->dispatch(
-            commands, onDevice_->bindings(), bytes(pass),
-            {groups(pass.core.z, shared::GATHER_GROUP), groups(pass.core.w, plan_.gatherRows), 1});
+        gather_->dispatch(commands, onDevice_->bindings(), bytes(pass),
+                          {groups(pass.core.z + pass.core.x - pass.region.x, shared::GATHER_GROUP),
+                           groups(pass.core.w, plan_.gatherRows), 1});
     });
   }
 
@@ -230,8 +239,7 @@ class Render {
     std::vector<shared::Work> list;
     for (std::size_t i = 0; i < kShifts.size(); ++i)
       tracing_[i] = listTracing(*map_, pass, kShifts[i], list);
-    gathering_ =
-        listGathering(*map_, pass, plan_.gatherRows, data_.constants[shared::SPEC_APRON], list);
+    gathering_ = listGathering(*map_, pass, data_.constants[shared::SPEC_APRON], list);
     onDevice_->upload(list);
   }
 
@@ -310,9 +318,10 @@ Image Renderer::render(const Scene& scene, const RenderOptions& options, Stats& 
   const Crop planned = options.error == 0.0
                            ? core
                            : pilotArea(cropOf(region), scene.camera.width, scene.camera.height);
-  const RenderPlan plan = planRender(device.limits(), planned, scene.camera.width,
-                                     scene.camera.height, data.constants[shared::SPEC_APRON],
-                                     scene.sampler.sampleCount, impl_->options.samplesInFlight);
+  const RenderPlan plan =
+      planRender(device.limits(), planned, scene.camera.width, scene.camera.height,
+                 data.constants[shared::SPEC_APRON], scene.sampler.sampleCount,
+                 impl_->options.samplesInFlight, sideBySide(triangles, scene.camera));
   stats.samplesAPass = plan.samplesAPass;
   stats.samples = 0;
   stats.reached = {};

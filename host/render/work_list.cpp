@@ -12,12 +12,13 @@ constexpr std::uint32_t kCell = shared::CELL;
 /// Work that no pixel of a region has.
 constexpr shared::Work kNone{0x80000000U, 0x80000000U, 0, 0};
 
-/// The list's end from `first` on, filled up to whole rows. Every device allows 65,535 a row.
-WorkRange rangeFrom(std::size_t first, std::vector<shared::Work>& list) {
-  const std::size_t count = list.size() - first;
+/// The list's end from `first` on, `together` a workgroup, filled up to whole rows. Every device
+/// allows 65,535 workgroups a row.
+WorkRange rangeFrom(std::size_t first, std::size_t together, std::vector<shared::Work>& list) {
+  const std::size_t count = (list.size() - first + together - 1) / together;
   if (count == 0) return {};
   const std::size_t rows = (count + 65534) / 65535, columns = (count + rows - 1) / rows;
-  list.resize(first + rows * columns, kNone);
+  list.resize(first + rows * columns * together, kNone);
   return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(columns),
           static_cast<std::uint32_t>(rows)};
 }
@@ -33,7 +34,7 @@ WorkRange listTracing(const SampleMap& map, const shared::Pass& pass, std::uint3
                       std::vector<shared::Work>& list) {
   const std::size_t start = list.size();
   const bool pilot = pass.samples.y < shared::CELL_STEP;
-  if (pilot != (shift == 0)) return {};
+  if (shift == 6 || pilot != (shift == 0)) return {};
   const std::uint32_t side = 8U >> shift / 2, together = 1U << shift;
   const std::uint32_t cell = std::max(side, kCell);
   // Corners of cells, those of the film or, for pilots, of the region.
@@ -57,26 +58,33 @@ WorkRange listTracing(const SampleMap& map, const shared::Pass& pass, std::uint3
           for (std::uint32_t u = 0; u < cell; u += side) list.push_back({x + u, y + v, s, 0});
     }
   }
-  return rangeFrom(start, list);
+  return rangeFrom(start, 1, list);
 }
 
-WorkRange listGathering(const SampleMap& map, const shared::Pass& pass, std::uint32_t rows,
-                        std::uint32_t apron, std::vector<shared::Work>& list) {
+WorkRange listGathering(const SampleMap& map, const shared::Pass& pass, std::uint32_t apron,
+                        std::vector<shared::Work>& list) {
+  constexpr std::uint32_t kColumns = shared::STRIP_COLUMNS, kRows = shared::STRIP_ROWS;
+  constexpr std::uint32_t kTogether = shared::GATHER_GROUP / kColumns;
   const std::size_t start = list.size();
   const Crop region = cropOf(pass.region);
-  const int reach = static_cast<int>(apron), height = static_cast<int>(rows);
-  const auto width = static_cast<int>(shared::GATHER_GROUP);
-  for (std::uint32_t row = 0; row * rows < pass.core.w; ++row)
-    for (std::uint32_t column = 0; column * shared::GATHER_GROUP < pass.core.z; ++column) {
-      const int x = static_cast<int>(pass.core.x) + static_cast<int>(column) * width;
-      const int y = static_cast<int>(pass.core.y) + static_cast<int>(row) * height;
-      const std::uint32_t samples =
-          samplesOf(pass, map.most({std::max(x - reach, region.x0), std::max(y - reach, region.y0),
-                                    std::min(x + width + reach, region.x1),
-                                    std::min(y + height + reach, region.y1)}));
+  const int reach = static_cast<int>(apron);
+  // A strip may begin up to kColumns - 1 columns before (gather.comp).
+  const std::uint32_t end = pass.core.z + kColumns - 1;
+  for (std::uint32_t row = 0; row * kRows < pass.core.w; ++row)
+    for (std::uint32_t column = 0; column * kColumns < end; ++column) {
+      const int x = static_cast<int>(pass.core.x + column * kColumns);
+      const int y = static_cast<int>(pass.core.y + row * kRows);
+      const Crop seen{std::max(x - static_cast<int>(kColumns) + 1 - reach, region.x0),
+                      std::max(y - reach, region.y0),
+                      std::min(x + static_cast<int>(kColumns) + reach, region.x1),
+                      std::min(y + static_cast<int>(kRows) + reach, region.y1)};
+      const std::uint32_t samples = samplesOf(pass, map.most(seen));
       if (samples != 0) list.push_back({column, row, samples, 0});
     }
-  return rangeFrom(start, list);
+  // Lanes of one subgroup wait for the one with most samples.
+  std::stable_sort(list.begin() + static_cast<std::ptrdiff_t>(start), list.end(),
+                   [](const auto& a, const auto& b) { return a.number > b.number; });
+  return rangeFrom(start, kTogether, list);
 }
 
 }  // namespace laver

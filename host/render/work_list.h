@@ -15,8 +15,8 @@ struct WorkRange {
 WorkRange listTracing(const SampleMap& map, const shared::Pass& pass, std::uint32_t shift,
                       std::vector<shared::Work>& list);
 
-/// Lists the blocks of columns and `rows` rows of the core that samples of a pass reach.
-WorkRange listGathering(const SampleMap& map, const shared::Pass& pass, std::uint32_t rows,
-                        std::uint32_t apron, std::vector<shared::Work>& list);
+/// Lists the strips of the core that samples of a pass reach.
+WorkRange listGathering(const SampleMap& map, const shared::Pass& pass, std::uint32_t apron,
+                        std::vector<shared::Work>& list);
 
 }  // namespace laver

@@ -6,7 +6,7 @@
 LAVER_SHARED_BEGIN
 
 // Bindings of descriptor set 0. T: texel buffer of uvec4, S: storage buffer, U: uniform buffer,
-// I: storage texel buffer (on lavapipe a vec4 is stored to one in half the time).
+// I: storage texel buffer.
 LAVER_CONST uint BIND_PARAMS = 0;      // U Params
 LAVER_CONST uint BIND_NODES = 1;       // T Node
 LAVER_CONST uint BIND_TRIANGLES = 2;   // T Triangle
@@ -53,7 +53,7 @@ LAVER_CONST uint LIGHTS_A_DISPATCH = 8;
 LAVER_CONST uint GATHER_GROUP = 64;  // columns
 // Samples of a pixel that are summed plainly before a compensated sum takes them: a pass holds a
 // multiple of them, so that cutting a render into passes changes no bit.
-LAVER_CONST uint GATHER_SAMPLES = 4;
+LAVER_CONST uint GATHER_SAMPLES = 8;
 // Where the position of a sample that is left out stands: no filter reaches it.
 LAVER_CONST float DROPPED = 1e6f;
 
@@ -127,6 +127,9 @@ struct Jump {
 // samples a pixel: 64 samples, a workgroup of tracing.
 LAVER_CONST uint CELL = 4;
 LAVER_CONST uint CELL_STEP = 4;
+// It gathers by strips of columns and rows.
+LAVER_CONST uint STRIP_COLUMNS = 8;
+LAVER_CONST uint STRIP_ROWS = 16;
 
 // Samples a pixel of a cell. 1 texel.
 struct Count {
@@ -135,8 +138,8 @@ struct Count {
 };
 
 // What a workgroup does. Tracing: tile's corner in pixels of the region (modulo 2^32, since cells
-// begin outside of it), first sample of the pass. Gathering: which GATHER_GROUP columns, which rows
-// of the core, samples of the pass. 1 texel.
+// begin outside of it), first sample of the pass. Gathering, GATHER_GROUP / STRIP_COLUMNS of
+// them: which strip of the core, in strips, samples of the pass. 1 texel.
 struct Work {
   uint x, y;
   uint number;
@@ -149,7 +152,7 @@ struct Params {
   vec4 columnX;    // ray direction = columnX * (width - 2 px) + columnY * (height - 2 py) + columnZ
   vec4 columnY;
   vec4 columnZ;
-  vec4 clip;       // tmin, tmax, 1 / scale of space, -
+  vec4 clip;       // tmin, tmax, 1 / scale of space, how far av and ao look
   vec4 albedo;     // of all meshes, where they agree
   uvec4 film;      // width, height, samples a pixel, reference of the root
   uvec4 seed;      // low, high, -, -

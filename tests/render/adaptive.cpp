@@ -238,7 +238,7 @@ TEST(Adaptive, TheErrorIsWhatWasAskedFor) {
 TEST(Adaptive, StopsBetweenPassesAndWhileItDecides) {
   const Scene scene = floorScene();
   VulkanOptions vulkan = cpuDevice();
-  vulkan.samplesInFlight = 96 * 96 * 16;
+  vulkan.samplesInFlight = 128 * 96 * 16;  // rows are stored in columns of 64
   for (const int passes : {2, kPilots + 1}) {
     RenderOptions options = adaptive();
     options.stop = [left = int{passes}]() mutable { return left-- == 0; };

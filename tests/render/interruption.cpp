@@ -192,9 +192,9 @@ TEST(Stop, LeavesBothRenderersWithTheSamePartOfTheSamples) {
 }
 
 TEST(Stop, LeavesVulkansBandsWholeOrPartOrBlack) {
-  const Scene scene = smallScene("cornell-two-lights.xml", 64, 16);
+  const Scene scene = smallScene("cornell-two-lights.xml", 64, 32);
   VulkanOptions vulkan = cpuDevice();
-  vulkan.samplesInFlight = 5120;  // bands of some rows, four samples a pass
+  vulkan.samplesInFlight = 10240;  // bands of some rows, eight samples a pass
   Renderer renderer(vulkan);
   Stats all;
   const Image whole = renderer.render(scene, {}, all);
@@ -205,7 +205,7 @@ TEST(Stop, LeavesVulkansBandsWholeOrPartOrBlack) {
     Stats stats;
     const Image image = renderer.render(scene, stopAfter(passes), stats);
     EXPECT_EQ(stats.passes, static_cast<unsigned>(passes));
-    EXPECT_EQ(stats.reached.samples, passes == 0 ? 0U : passes == 6 ? 8U : passes == 1 ? 4U : 16U);
+    EXPECT_EQ(stats.reached.samples, passes == 0 ? 0U : passes == 6 ? 16U : passes == 1 ? 8U : 32U);
     const int bands = (passes + 3) / 4;
     EXPECT_EQ(stats.bands, static_cast<unsigned>(bands));
     const Reached& r = stats.reached;
