@@ -40,6 +40,11 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
       ->type_name("OUT.exr");
   app.add_option("--spp", command.overrides.sampleCount, "samples a pixel")
       ->check(CLI::Range(1U, 1U << 20));
+  app.add_option("--error", command.options.error,
+                 "adaptive sampling: stop where a pixel's standard error, 1 being white, is below "
+                 "E; --spp is the most a pixel gets")
+      ->type_name("E")
+      ->check(CLI::PositiveNumber & CLI::Range(0.0, 1e6));
   app.add_option("--seed", command.overrides.seed, "seed of the sampler");
   app.add_option_function<std::string>(
          "--integrator",

@@ -23,17 +23,26 @@ void addCompensated(uint at, vec4 x) {
   filmPixels[at] = pixel;
 }
 
+// First column, number of the rows, samples of the pass.
+uvec3 stripOf() {
+  if (!ADAPTIVE) return uvec3(gl_GlobalInvocationID.x * COLUMNS, gl_WorkGroupID.y, pass.samples.y);
+  const uint column = groupNumber() * GATHER_GROUP + gl_LocalInvocationID.x * COLUMNS;
+  const uvec3 work = listedWork(column / STRIP_COLUMNS);
+  return uvec3(work.x * STRIP_COLUMNS + column % STRIP_COLUMNS, work.yz);
+}
+
 void main() {
   const int apron = int(APRON);
   const ivec2 core = ivec2(pass.core.zw);
   const ivec2 shift = ivec2(pass.core.xy) - ivec2(pass.region.xy);
   // Strips start where columns of stored samples do (sampleSlot).
-  const int column = int(gl_GlobalInvocationID.x * COLUMNS) - (shift.x & int(COLUMNS - 1u));
-  const int first = int(gl_WorkGroupID.y * pass.tiles.x);
+  const uvec3 strip = stripOf();
+  const int column = int(strip.x) - (shift.x & int(COLUMNS - 1u));
+  const int first = int(strip.y * pass.tiles.x);
   const int end = min(first + int(pass.tiles.x), core.y);
 
-  for (uint group = 0u; group < pass.samples.y; group += GATHER_SAMPLES) {
-    const uint groupEnd = min(group + GATHER_SAMPLES, pass.samples.y);
+  for (uint group = 0u; group < strip.z; group += GATHER_SAMPLES) {
+    const uint groupEnd = min(group + GATHER_SAMPLES, strip.z);
     vec4 sums[COLUMNS][REACH];  // of rows row - apron to row + apron
     [[unroll]] for (uint c = 0u; c < COLUMNS; ++c)
       [[unroll]] for (uint k = 0u; k < REACH; ++k) sums[c][k] = vec4(0.0);

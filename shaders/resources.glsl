@@ -12,6 +12,7 @@ layout(constant_id = SPEC_FILTER) const uint FILTER = FILTER_GAUSSIAN;
 layout(constant_id = SPEC_APRON) const uint APRON = 2;
 layout(constant_id = SPEC_NORI_TABLE) const bool NORI_TABLE = false;
 layout(constant_id = SPEC_SAMPLER) const uint SAMPLER = SAMPLER_INDEPENDENT;
+layout(constant_id = SPEC_ADAPTIVE) const bool ADAPTIVE = false;
 
 const uint REACH = 2u * APRON + 1u;  // pixels on an axis that one sample reaches
 
@@ -32,6 +33,8 @@ layout(binding = BIND_FILM) buffer FilmBlock { FilmPixel filmPixels[]; };
 layout(binding = BIND_STATUS) buffer StatusBlock { Status status; };
 layout(binding = BIND_SAMPLE_TEXELS) uniform samplerBuffer sampleTexels;
 layout(binding = BIND_SAMPLE_Y_TEXELS) uniform samplerBuffer sampleYTexels;
+layout(binding = BIND_COUNTS) uniform usamplerBuffer countTexels;
+layout(binding = BIND_WORK) uniform usamplerBuffer workTexels;
 
 vec3 texelVec3(uvec4 texel) { return uintBitsToFloat(texel.xyz); }
 

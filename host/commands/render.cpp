@@ -46,6 +46,21 @@ void checkCrop(const std::optional<Crop>& crop, const Camera& camera) {
                             crop->x0, crop->y0, crop->x1, crop->y1, camera.width, camera.height));
 }
 
+void checkError(const RenderCommand& command, const Sampler& sampler) {
+  if (command.options.error == 0.0) return;
+  if (command.reference)
+    throw Error(ExitCode::Usage, "--error: the reference takes as many samples as the scene says");
+  if (command.resume)
+    throw Error(ExitCode::Usage,
+                "--error: an adaptive render begins anew; --resume goes on only "
+                "where every pixel gets as many samples");
+  if (mostOf(sampler) == 0)
+    throw Error(ExitCode::Usage,
+                fmt::format("--error: {} samples a pixel are too few to choose from; --spp {} is "
+                            "the least",
+                            sampler.sampleCount, shared::CELL_STEP));
+}
+
 /// The picture and its files are made in memory; measured at 16384 x 16384: 20 bytes a pixel. Sums
 /// that are kept are 32 more, and their file as many again.
 void checkMemory(const RenderCommand& command, const Camera& camera) {
@@ -183,6 +198,7 @@ ExitCode run(const RenderCommand& command) {
   const Scene& scene = loaded.scene;
   for (const auto& warning : loaded.warnings) std::cerr << warning << '\n';
   checkCrop(command.options.crop, scene.camera);
+  checkError(command, scene.sampler);
   checkMemory(command, scene.camera);
   const auto wanted = outputOf(command);
   const auto stateFile = statePath(wanted);
@@ -216,6 +232,9 @@ ExitCode run(const RenderCommand& command) {
                              exr.string());
   writePictures(exr, image, metadataOf(scene, stats, renderSeconds, whole),
                 command.options.threads);
+  if (!stats.adaptive.samples.pixels.empty())
+    writeExr(std::filesystem::path(exr).replace_extension(".samples.exr").string(),
+             stats.adaptive.samples, {}, command.options.threads);
   const bool sobol = scene.sampler.kind == Sampler::Kind::Sobol;
   const std::string goOn =
       leaveState(command, stateFile, state, !whole || (command.resume && sobol));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace laver {
 
@@ -21,6 +22,12 @@ std::uint64_t roundedUp(std::uint64_t n, std::uint64_t unit) {
 }
 
 }  // namespace
+
+std::uint32_t rowStride(std::uint32_t rows) {
+  auto stride = std::max(1U, static_cast<std::uint32_t>(0.618 * rows));
+  while (std::gcd(stride, rows) != 1) ++stride;
+  return stride;
+}
 
 glm::uvec4 regionOf(Crop core, std::uint32_t apron, int width, int height) {
   const int a = static_cast<int>(apron);

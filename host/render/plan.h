@@ -30,6 +30,14 @@ RenderPlan planRender(const VkPhysicalDeviceLimits& limits, Crop core, int width
 /// Region (core rows [y0, y1) with the apron, cut to the film) as x, y, width, height.
 glm::uvec4 regionOf(Crop core, std::uint32_t apron, int width, int height);
 
+inline Crop cropOf(glm::uvec4 r) {
+  return {static_cast<int>(r.x), static_cast<int>(r.y), static_cast<int>(r.x + r.z),
+          static_cast<int>(r.y + r.w)};
+}
+
+/// A stride that visits all of 0 .. rows - 1 in an even mix: coprime to rows, near 0.618 of it.
+std::uint32_t rowStride(std::uint32_t rows);
+
 /// Bytes of a sample in flight in the larger of its two buffers.
 inline constexpr std::uint64_t kSampleBytes = 16;
 
