@@ -40,6 +40,11 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
       ->type_name("OUT.exr");
   app.add_option("--spp", command.overrides.sampleCount, "samples a pixel")
       ->check(CLI::Range(1U, 1U << 20));
+  app.add_option("--error", command.options.error,
+                 "adaptive sampling: stop where a pixel's standard error, 1 being white, is below "
+                 "E; --spp is the most a pixel gets")
+      ->type_name("E")
+      ->check(CLI::PositiveNumber & CLI::Range(0.0, 1e6));
   app.add_option("--seed", command.overrides.seed, "seed of the sampler");
   app.add_option_function<std::string>(
          "--integrator",
@@ -52,6 +57,16 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
                                             name);
          },
          "normals, direct_whitted, depth, av or ao")
+      ->type_name("NAME");
+  app.add_option_function<std::string>(
+         "--sampler",
+         [&](const std::string& name) {
+           command.overrides.sampler = samplerFromName(name);
+           if (!command.overrides.sampler)
+             throw CLI::ValidationError("--sampler",
+                                        "expected independent, stratified or sobol, not " + name);
+         },
+         "independent, stratified or sobol")
       ->type_name("NAME");
   app.add_option_function<std::string>(
          "--size",
@@ -72,6 +87,8 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
   app.add_option("--device", command.vulkan.device, "index, part of the name, or cpu");
   app.add_option("--traversal", command.vulkan.traversal, "lane or packet");
   app.add_flag("--reference", command.reference, "render in double precision on the CPU");
+  app.add_flag("--resume", command.resume,
+               "go on from OUT.state.exr if there is one, and leave one to go on from");
   app.add_flag("--nori-compat", command.options.noriCompat, "filter weights from Nori's table");
   app.add_option("-t,--threads", command.options.threads, "threads, 0 for all")
       ->check(CLI::Range(0U, 4096U));

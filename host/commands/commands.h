@@ -18,6 +18,7 @@ struct RenderCommand {
   RenderOptions options;
   VulkanOptions vulkan;
   bool reference = false;
+  bool resume = false;  ///< keep the sums and go on from those that are there
   bool stats = false;
   std::string statsFile;
   bool quiet = false;

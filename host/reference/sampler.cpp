@@ -2,16 +2,15 @@
 
 #include <algorithm>
 
+#include "reference/hashed_sampler.h"
 #include "reference/pcg32.h"
 
 namespace laver::reference {
 
 namespace {
+
 constexpr int blockSize = 32;            // pixels
 constexpr std::uint64_t dimensions = 4;  // numbers a sample
-}  // namespace
-
-namespace {
 
 Pcg32 generatorAt(const Camera& camera, const Sampler& sampler, int x, int y,
                   std::uint32_t sample) {
@@ -26,18 +25,25 @@ Pcg32 generatorAt(const Camera& camera, const Sampler& sampler, int x, int y,
   return random;
 }
 
-}  // namespace
-
-glm::vec2 samplePosition(const Camera& camera, const Sampler& sampler, int x, int y,
-                         std::uint32_t sample) {
+glm::vec2 independent(const Camera& camera, const Sampler& sampler, int x, int y,
+                      std::uint32_t sample) {
   Pcg32 random = generatorAt(camera, sampler, x, y, sample);
   const float jitterY = random.nextFloat();
   const float jitterX = random.nextFloat();
   return {static_cast<float>(x) + jitterX, static_cast<float>(y) + jitterY};
 }
 
+}  // namespace
+
+glm::vec2 samplePosition(const Camera& camera, const Sampler& sampler, int x, int y,
+                         std::uint32_t sample) {
+  if (sampler.kind == Sampler::Kind::Independent) return independent(camera, sampler, x, y, sample);
+  return hashedPosition(camera, sampler, x, y, sample);
+}
+
 glm::vec2 sampleAperture(const Camera& camera, const Sampler& sampler, int x, int y,
                          std::uint32_t sample) {
+  if (sampler.kind != Sampler::Kind::Independent) return hashedAperture(sampler, x, y, sample);
   Pcg32 random = generatorAt(camera, sampler, x, y, sample);
   random.advance(2);
   const float v = random.nextFloat();

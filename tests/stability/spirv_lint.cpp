@@ -49,6 +49,7 @@ const std::map<std::string, const char*> kMayCompare = {
     {"gaussian", "distances of a pixel's centre, finite"},
     {"mitchell", "distances of a pixel's centre, finite"},
     {"filterWeight", "distances of a pixel's centre, finite"},
+    {"filterWeights", "products of exponentials that specialise.cpp keeps finite"},
 };
 
 bool startsWith(const std::string& text, const char* prefix) { return text.rfind(prefix, 0) == 0; }
