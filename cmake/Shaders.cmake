@@ -54,9 +54,15 @@ std::span<const std::uint32_t> @lookup@(const std::string& kernel) {
 endmacro()
 
 # Each is compiled for both traversals: for any device, and for subgroups of 8 lanes that shuffle.
+# Those that trace are compiled without and with spheres: a driver would read their code, a fifth of
+# all, before a specialisation constant could leave it out.
 foreach(kernel IN LISTS LAVER_KERNELS)
   get_filename_component(name ${kernel} NAME_WE)
   laver_kernel(${name}_lane ${kernel})
   laver_kernel(${name}_packet ${kernel} -DLAVER_PACKET)
+  if(NOT name STREQUAL gather)
+    laver_kernel(${name}_spheres_lane ${kernel} -DLAVER_SPHERES)
+    laver_kernel(${name}_spheres_packet ${kernel} -DLAVER_SPHERES -DLAVER_PACKET)
+  endif()
 endforeach()
 laver_kernel_library(laver_shaders spirvOf)

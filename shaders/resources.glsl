@@ -13,7 +13,6 @@ layout(constant_id = SPEC_APRON) const uint APRON = 2;
 layout(constant_id = SPEC_NORI_TABLE) const bool NORI_TABLE = false;
 layout(constant_id = SPEC_SAMPLER) const uint SAMPLER = SAMPLER_INDEPENDENT;
 layout(constant_id = SPEC_ADAPTIVE) const bool ADAPTIVE = false;
-layout(constant_id = SPEC_SPHERES) const bool HAS_SPHERES = true;
 
 const uint REACH = 2u * APRON + 1u;  // pixels on an axis that one sample reaches
 

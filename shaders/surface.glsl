@@ -1,8 +1,8 @@
-// What a camera ray has met: the point on the triangle or sphere, its shading normal and its material.
+// What a camera ray has met: the point on the triangle or sphere, its shading normal, its material.
 #ifndef LAVER_SURFACE
 #define LAVER_SURFACE
 #include "resources.glsl"
-#include "shared/sphere.h"
+#include "shared/point.h"
 
 struct Surface {
   vec3 position;   // shared/point.h
@@ -19,8 +19,9 @@ Surface surfaceAt(vec3 origin, vec3 direction, uint slot) {
   const vec3 b = texelVec3(texelFetch(triangleTexels, texel + 1));
   const uvec4 last = texelFetch(triangleTexels, texel + 2);
   Point p = pointAt(origin, direction, a, b, texelVec3(last), last.w != 0u);
-  if (HAS_SPHERES && last.w == IS_SPHERE)
-    p = ballPointAt(origin, direction, params.clip.x, a, b.x);
+#ifdef LAVER_SPHERES
+  if (last.w == IS_SPHERE) p = ballPointAt(origin, direction, params.clip.x, a, b.x);
+#endif
 
   Surface s;
   s.position = p.position;

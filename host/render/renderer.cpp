@@ -35,8 +35,10 @@ std::uint32_t sideBySide(std::uint64_t triangles, const Camera& camera) {
   return triangles > pixels ? 64 : 16;
 }
 
-std::string traceName(Integrator integrator, const std::string& traversal) {
-  return std::string(integratorName(integrator)) + "_" + traversal;
+/// Of the kernel in the build's list, without the traversal.
+std::string kernelName(Integrator integrator, const SpecConstants& constants) {
+  return std::string(integratorName(integrator)) +
+         (constants[shared::SPEC_SPHERES] != 0 ? "_spheres" : "");
 }
 
 /// One picture: bands outside, passes inside.
@@ -203,6 +205,7 @@ Image Renderer::render(const Scene& scene, const RenderOptions& options, FilmSta
     triangles += mesh.triangles.size();
     stats.droppedTriangles += mesh.droppedTriangles;
   }
+  const std::string kernel = kernelName(scene.integrator, constants);
   // Beside the building of the tree: the rest of the device's start, and the kernels.
   auto compiling = std::async(std::launch::async, [&] {
     const StartedVulkan& vulkan = *impl_->vulkan.get();
@@ -210,7 +213,7 @@ Image Renderer::render(const Scene& scene, const RenderOptions& options, FilmSta
     if (impl_->options.traversal.empty() && tooDenseForPackets(triangles, scene))
       stats.traversal = "lane";
     const Stopwatch watch(stats.seconds.compile);
-    return compileKernels(vulkan.device, traceName(scene.integrator, stats.traversal), constants);
+    return compileKernels(vulkan.device, kernel + "_" + stats.traversal, constants);
   });
   const SceneData data = packScene(scene, options, constants);
   stats.describe(data);
@@ -245,7 +248,7 @@ Image Renderer::render(const Scene& scene, const RenderOptions& options, FilmSta
   }
   passes->take(compiling.get());
   // Anew for a deeper stack than was guessed.
-  passes->begin(integratorName(scene.integrator), data.constants, constants == data.constants);
+  passes->begin(kernel, data.constants, constants == data.constants);
   Image image = Render(*passes, data, plan, scene, options, core, state, stats).run();
   vulkan.instance.throwIfInvalid();
   return image;

@@ -36,7 +36,7 @@ LAVER_CONST uint SPEC_APRON = 6;         // pixels on each side that a sample ca
 LAVER_CONST uint SPEC_NORI_TABLE = 7;    // filter weights from Nori's table
 LAVER_CONST uint SPEC_SAMPLER = 8;       // SAMPLER_*
 LAVER_CONST uint SPEC_ADAPTIVE = 9;      // cells have sample counts of their own (adaptive.glsl)
-LAVER_CONST uint SPEC_SPHERES = 10;      // some mesh is a sphere
+LAVER_CONST uint SPEC_SPHERES = 10;      // some mesh is a sphere; names the kernel
 LAVER_CONST uint SPEC_CONSTANTS = 11;
 
 LAVER_CONST uint FILTER_GAUSSIAN = 0;

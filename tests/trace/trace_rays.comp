@@ -8,7 +8,7 @@
 #include "lane.glsl"
 #endif
 #include "resources.glsl"
-#include "shared/sphere.h"
+#include "shared/point.h"
 
 layout(local_size_x = 64 / R) in;
 // Ray: origin, tmin; direction, tmax. Point: xyz, -.
@@ -46,7 +46,9 @@ vec4 hitAt(vec3 origin, vec3 direction, float tmin, uint slot) {
   const vec3 b = texelVec3(texelFetch(triangleTexels, texel + 1));
   const uvec4 last = texelFetch(triangleTexels, texel + 2);
   Point p = pointAt(origin, direction, a, b, texelVec3(last), false);
-  if (HAS_SPHERES && last.w == IS_SPHERE) p = ballPointAt(origin, direction, tmin, a, b.x);
+#ifdef LAVER_SPHERES
+  if (last.w == IS_SPHERE) p = ballPointAt(origin, direction, tmin, a, b.x);
+#endif
   return vec4(p.t, p.weights.yz, uintBitsToFloat(first.w));
 }
 
