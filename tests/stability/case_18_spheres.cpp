@@ -231,9 +231,10 @@ LAVER_STABILITY(20, BallContact, "Spheres that touch cast their whole shadow") {
     std::mt19937 random(20);
     std::uniform_real_distribution<float> place(-0.02F, 0.02F);
     std::vector<TestRay> rays;
-    for (int i = 0; i < 64 * 64; ++i)  // towards the lower one's top, from beside the contact
-      rays.push_back(
-          rayOf(vec3(1.0F, 0.0F, 0.2F), vec3(-1.0F + place(random), 0.0F, -0.2F + place(random))));
+    for (int i = 0; i < 64 * 64; ++i) {  // to the lower one's top, where y = -(x^2 + z^2)
+      const float x = place(random), z = place(random);
+      rays.push_back(rayOf(vec3(1.0F, 0.0F, 0.2F), vec3(x - 1.0F, -(x * x + z * z), z - 0.2F)));
+    }
     for (const auto& subject : subjects(bvh)) {
       const auto hits = subject->closest(rays);
       std::vector<vec3> points;
