@@ -18,6 +18,7 @@
 #include "image/atomic_file.h"
 #include "image/io.h"
 #include "reference/reference.h"
+#include "scene/schema.h"
 
 namespace laver {
 namespace {
@@ -45,10 +46,36 @@ void checkCrop(const std::optional<Crop>& crop, const Camera& camera) {
                             crop->x0, crop->y0, crop->x1, crop->y1, camera.width, camera.height));
 }
 
+/// Channels beside the picture's own three.
+std::size_t layerChannels(const RenderOptions& options) {
+  std::size_t count = centreChannels(options.layers).size();
+  for (const Shown& shown : shownBeside(options.more, options.layers))
+    count += shown.channels.size();
+  return count + (asks(options.layers, Layer::Samples) ? 1 : 0);
+}
+
+/// What is rendered beside the scene's picture asks for materials and lights too.
+SceneOverrides overridesOf(const RenderCommand& command) {
+  SceneOverrides overrides = command.overrides;
+  for (const Shown& shown : shownBeside(command.options.more, command.options.layers))
+    overrides.shading = overrides.shading || xml::shades(shown.integrator);
+  return overrides;
+}
+
+void warnOfMissingUvs(const RenderOptions& options, const Scene& scene) {
+  if (!asks(options.layers, Layer::Uv)) return;
+  for (const Mesh& mesh : scene.meshes)
+    if (mesh.uvs.empty())
+      std::cerr << fmt::format(
+          "laver: warning: \"{}\" has no texture coordinates; layer uv is 0 there\n", mesh.name);
+}
+
 /// The picture and its files are made in memory; measured at 16384 x 16384: 20 bytes a pixel.
 void checkMemory(const RenderCommand& command, const Camera& camera) {
   const Crop film = command.options.crop.value_or(Crop{0, 0, camera.width, camera.height});
-  const std::uint64_t needed = 24 * static_cast<std::uint64_t>(film.x1 - film.x0) *
+  // A layer's: 4 bytes a channel, once more while layers are put together, and the file's.
+  const std::uint64_t bytes = 24 + 12 * layerChannels(command.options);
+  const std::uint64_t needed = bytes * static_cast<std::uint64_t>(film.x1 - film.x0) *
                                static_cast<std::uint64_t>(film.y1 - film.y0);
   const std::uint64_t there = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
                               static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
@@ -141,9 +168,10 @@ ExitCode run(const RenderCommand& command) {
   }
 
   Stats stats;
-  const LoadedScene loaded = loadScene(command.scene, command.overrides);
+  const LoadedScene loaded = loadScene(command.scene, overridesOf(command));
   const Scene& scene = loaded.scene;
   for (const auto& warning : loaded.warnings) std::cerr << warning << '\n';
+  warnOfMissingUvs(command.options, scene);
   checkCrop(command.options.crop, scene.camera);
   checkMemory(command, scene.camera);
   const auto wanted = outputOf(command);
@@ -157,7 +185,7 @@ ExitCode run(const RenderCommand& command) {
   const Image image = render(command, scene, renderer.get(), stats);
   const double renderSeconds = since(renderStart);
   const Reached& reached = stats.reached;
-  const bool whole = reached.wholeRows == image.height;
+  const bool whole = reached.wholeRows == image.height && reached.unfinished == 0;
   if (!command.quiet)
     std::cout << fmt::format("{}. (took {})\n", whole ? "done" : "stopped",
                              timeText(renderSeconds));
@@ -181,9 +209,11 @@ ExitCode run(const RenderCommand& command) {
   writeStats(command, stats);
   flushStandardOutput();
   if (whole) return ExitCode::Ok;
-  throw interrupted(fmt::format("with {} of {} samples a pixel in {} of {} rows; see \"{}\"",
+  const std::string beside =
+      reached.unfinished == 0 ? "" : fmt::format(", {} layers unfinished", reached.unfinished);
+  throw interrupted(fmt::format("with {} of {} samples a pixel in {} of {} rows{}; see \"{}\"",
                                 reached.samples, scene.sampler.sampleCount, reached.rows,
-                                image.height, exr.string()));
+                                image.height, beside, exr.string()));
 }
 
 }  // namespace laver

@@ -34,16 +34,21 @@ glm::dvec3 directWhitted(const World& world, const Scene& scene, const glm::dvec
 
 }  // namespace
 
-glm::dvec3 radiance(const World& world, const Scene& scene, const CameraRay& camera) {
+glm::dvec3 radiance(const World& world, const Scene& scene, Integrator shown,
+                    const CameraRay& camera) {
   const auto hit = world.tree().closest(camera.ray, camera.tmin, camera.tmax);
   if (!hit) return glm::dvec3(0.0);
-  switch (scene.integrator) {
+  switch (shown) {
     case Integrator::Normals:
       return glm::abs(world.surface(*hit).shading);
     case Integrator::DirectWhitted:
       return directWhitted(world, scene, camera.ray.direction, world.surface(*hit));
     case Integrator::Depth:
       return glm::dvec3(1.0 / (hit->t * glm::length(camera.ray.direction)));
+    case Integrator::ShadingNormal:
+      return world.surface(*hit).shading;
+    case Integrator::Albedo:
+      return world.surface(*hit).albedo;
   }
   return glm::dvec3(0.0);
 }

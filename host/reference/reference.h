@@ -43,6 +43,10 @@ class Reference {
   /// Film position of a sample of a pixel, as the scene's sampler draws it.
   glm::vec2 samplePosition(int x, int y, std::uint32_t sample) const;
 
+  /// The first hit of the ray through `film` as the centre layers show it. Without vertex
+  /// coordinates uv is 0.
+  std::optional<CentreHit> centre(glm::dvec2 film) const;
+
   /// Samples, reconstructs, and rounds to float at the very end. Throws Error(Usage) if the crop
   /// is empty or not inside the film.
   Image render(const RenderOptions& options = {}) const;
@@ -53,6 +57,10 @@ class Reference {
   Image render(const RenderOptions& options, std::uint64_t& dropped, Reached& reached) const;
 
  private:
+  Image picture(Integrator shown, const RenderOptions& options, std::uint64_t& dropped,
+                Reached& reached) const;
+  Image centres(const RenderOptions& options) const;
+
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

@@ -17,6 +17,7 @@ struct Surface {
   glm::dvec3 shading;    ///< unit normal from the vertex normals, else the geometric one
   glm::dvec3 albedo;
   double offset;  ///< distance along a normal that no rounding of `position` exceeds
+  glm::dvec2 uv;  ///< interpolated vertex coordinates, 0 where the mesh has none
 };
 
 /// A scene's triangles in a tree, numbered in file order over all meshes. Coordinates are relative
@@ -29,9 +30,11 @@ class World {
   glm::dvec3 centre() const { return centre_; }
   const Tree& tree() const { return tree_; }
   Surface surface(const TreeHit& hit) const;
+  /// The mesh of a triangle's number, and the number of that mesh's first triangle.
+  std::size_t meshOf(std::uint32_t id) const;
+  std::uint64_t firstOf(std::size_t mesh) const { return first_[mesh]; }
 
  private:
-  std::size_t meshOf(std::uint32_t id) const;
   std::vector<Triangle> gather() const;
 
   const Scene* scene_;
@@ -40,11 +43,14 @@ class World {
   Tree tree_;
 };
 
-/// Radiance that arrives along a camera ray, by the scene's integrator; 0 for a miss.
+/// What arrives along a camera ray, by an integrator; 0 for a miss.
 ///   normals         |n|, n the shading normal
 ///   direct_whitted  sum over point lights of radiance / r^2 * n.wi * albedo / pi, where
 ///                   n.wi > 0, n.wo > 0, r^2 > 0 and nothing lies between
 ///   depth           1 / distance from the camera, in world units
-glm::dvec3 radiance(const World& world, const Scene& scene, const CameraRay& camera);
+///   shading_normal  n
+///   albedo          the surface's
+glm::dvec3 radiance(const World& world, const Scene& scene, Integrator shown,
+                    const CameraRay& camera);
 
 }  // namespace laver::reference

@@ -7,8 +7,10 @@
 #include <optional>
 
 #include "core/parallel.h"
+#include "core/sparing.h"
 #include "render/device_scene.h"
 #include "render/kernels.h"
+#include "render/pictures.h"
 #include "render/plan.h"
 #include "render/resolve.h"
 #include "render/stopwatch.h"
@@ -36,11 +38,11 @@ bool tooDenseForPackets(std::uint64_t triangles, const Scene& scene) {
   return triangles > 5 * rays;
 }
 
-std::string traceName(Integrator integrator, const std::string& traversal) {
-  return std::string(integratorName(integrator)) + "_" + traversal;
+std::string traceName(const Picture& picture, const std::string& traversal) {
+  return picture.kernel + "_" + traversal;
 }
 
-/// One picture: bands outside, passes inside.
+/// Pictures of one scene, one after the other: bands outside, passes inside.
 class Render {
  public:
   Render(const Device& device, const SceneData& data, const RenderPlan& plan, const Scene& scene,
@@ -53,43 +55,105 @@ class Render {
     image_ = rgbImage(plan.core.x1 - plan.core.x0, plan.core.y1 - plan.core.y0);
   }
 
-  /// Takes kernels that were compiled with `constants`.
-  void take(Kernels kernels, const SpecConstants& constants) {
+  /// Takes kernels that were compiled for the first picture.
+  void take(Kernels kernels) {
     trace_ = std::move(kernels.trace);
     gather_ = std::move(kernels.gather);
-    if (constants != data_.constants) compileTrace();  // a deeper stack than was guessed
   }
 
-  Image run() {
-    const Crop core = plan_.core;
-    std::vector<std::byte> copy;
-    for (int y = core.y0; y < core.y1; y += static_cast<int>(plan_.bandRows)) {
-      const Crop band{core.x0, y, core.x1, std::min(core.y1, y + static_cast<int>(plan_.bandRows))};
-      if (y != core.y0) onDevice_->film().fillZero();
-      const std::uint32_t samples = renderBand(band);
-      if (samples == 0) break;
-      stats_.reached.addRows(band.y1 - band.y0, samples, scene_.sampler.sampleCount);
-      const Stopwatch watch(stats_.seconds.readBack);
-      const std::size_t bytes = static_cast<std::size_t>(band.x1 - band.x0) *
-                                static_cast<std::size_t>(band.y1 - band.y0) *
-                                sizeof(shared::FilmPixel);
-      resolve(onDevice_->film().contents(bytes, copy), y - core.y0, image_, options_.threads);
-      ++stats_.bands;
-      if (samples != scene_.sampler.sampleCount) break;
+  /// All of them in one image; black where there is no time for them.
+  Image run(std::vector<Picture> pictures) {
+    std::vector<Image> parts;
+    bool whole = true;
+    for (Picture& picture : pictures) {
+      const SpecConstants guess = picture.constants;
+      requireStack(picture.constants, data_.bvh.stack);
+      picture_ = &picture;
+      share_ = {static_cast<double>(parts.size()), 1.0 / static_cast<double>(pictures.size())};
+      const bool first = parts.empty();
+      if (first ? guess != picture.constants : whole) compileTrace();
+      if (!first) image_ = blackImage(parts[0].width, parts[0].height, picture.channels);
+      Reached reached;
+      parts.push_back(render(whole, reached));
+      whole = whole && reached.wholeRows == parts.back().height;
+      if (first)
+        stats_.reached = reached;
+      else if (!whole)
+        ++stats_.reached.unfinished;
     }
     stats_.droppedSamples = status_.dropped;
-    return std::move(image_);
+    if (asks(options_.layers, Layer::Samples)) parts.push_back(samplesLayer(parts.front()));
+    return joined(std::move(parts));
   }
 
  private:
+  Image render(bool wanted, Reached& reached) {
+    const Crop core = plan_.core;
+    const std::uint32_t samples = picture_->centres ? 1 : scene_.sampler.sampleCount;
+    for (int y = core.y0; y < core.y1 && wanted; y += static_cast<int>(plan_.bandRows)) {
+      const Crop band{core.x0, y, core.x1, std::min(core.y1, y + static_cast<int>(plan_.bandRows))};
+      const std::uint32_t done = picture_->centres ? traceCentres(band) : renderBand(band);
+      if (done == 0) break;
+      reached.addRows(band.y1 - band.y0, done, samples);
+      showBand(band);
+      ++stats_.bands;
+      if (done != samples) break;
+    }
+    return std::move(image_);
+  }
+
+  Image samplesLayer(const Image& picture) const {
+    Image image = blackImage(picture.width, picture.height, {"samples"});
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x)
+        image.at(x, y, 0) =
+            static_cast<float>(stats_.reached.samplesIn(y, scene_.sampler.sampleCount));
+    return image;
+  }
+
+  /// Resolves what a band has and tells the watcher, if it is the first picture's.
+  void showBand(const Crop& band) {
+    sparing_.run([&] {
+      resolveBand(band);
+      if (watched())
+        options_.watcher.rowsChanged(image_, band.y0 - plan_.core.y0, band.y1 - plan_.core.y0);
+    });
+  }
+
+  bool watched() const { return options_.watcher.rowsChanged && share_.before == 0.0; }
+
+  void resolveBand(const Crop& band) {
+    const Stopwatch watch(stats_.seconds.readBack);
+    const std::size_t bytes = static_cast<std::size_t>(band.x1 - band.x0) *
+                              static_cast<std::size_t>(band.y1 - band.y0) *
+                              sizeof(shared::FilmPixel);
+    const auto film = onDevice_->film().contents(bytes, copy_);
+    const int row = band.y0 - plan_.core.y0;
+    if (picture_->centres)
+      resolveCentres(film, row, scene_, data_.space, options_, image_);
+    else
+      resolve(film, row, image_, options_.threads);
+  }
+
+  /// One ray through the centre of each pixel; returns 1, or 0 if it was stopped before.
+  std::uint32_t traceCentres(const Crop& band) {
+    if (options_.stop && options_.stop()) return 0;
+    shared::Pass pass{};
+    pass.region = pass.core = {band.x0, band.y0, band.x1 - band.x0, band.y1 - band.y0};
+    pass.samples.y = 1;
+    filmIsClear_ = false;
+    tracePass(pass);
+    return 1;
+  }
+
   static std::span<const std::byte> bytes(const shared::Pass& pass) {
     return std::as_bytes(std::span(&pass, 1));
   }
 
   void compileTrace() {
     const Stopwatch watch(stats_.seconds.compile);
-    trace_ = compileKernel(device_, onDevice_->bindings(),
-                           traceName(scene_.integrator, stats_.traversal), data_.constants);
+    trace_ = compileKernel(device_, onDevice_->bindings(), traceName(*picture_, stats_.traversal),
+                           picture_->constants);
   }
 
   /// Returns how many samples a pixel the band got.
@@ -99,6 +163,8 @@ class Render {
                            scene_.camera.height);
     pass.core = {band.x0, band.y0, band.x1 - band.x0, band.y1 - band.y0};
     const std::uint32_t samples = scene_.sampler.sampleCount;
+    if (!filmIsClear_) onDevice_->film().fillZero();
+    filmIsClear_ = false;
     for (std::uint32_t first = 0; first < samples; first += plan_.samplesAPass) {
       if (options_.stop && options_.stop()) return first;
       pass.samples.x = first;
@@ -114,6 +180,7 @@ class Render {
       ++stats_.passes;
       stats_.samples += std::uint64_t{pass.core.z} * pass.core.w * pass.samples.y;
       reportProgress(band, first + pass.samples.y);
+      if (first + pass.samples.y < samples && watched() && sparing_.due()) showBand(band);
     }
     return samples;
   }
@@ -142,7 +209,8 @@ class Render {
   /// All lights in one dispatch, or a few in each of several.
   void dispatchPass(shared::Pass pass) {
     const Stopwatch watch(stats_.seconds.trace);
-    const auto lights = static_cast<std::uint32_t>(data_.lights.size());
+    const bool lit = picture_->constants[shared::SPEC_LIGHTS] != shared::LIGHTS_NONE;
+    const auto lights = lit ? static_cast<std::uint32_t>(data_.lights.size()) : 0U;
     std::uint32_t first = 0;
     do {
       const std::uint32_t count = std::min(lights - first, shared::LIGHTS_A_DISPATCH);
@@ -172,7 +240,8 @@ class Render {
     if (!options_.progress) return;
     const double rows = plan_.core.y1 - plan_.core.y0;
     const double share = static_cast<double>(samplesDone) / scene_.sampler.sampleCount;
-    options_.progress((band.y0 - plan_.core.y0 + share * (band.y1 - band.y0)) / rows);
+    const double picture = (band.y0 - plan_.core.y0 + share * (band.y1 - band.y0)) / rows;
+    options_.progress((share_.before + picture) * share_.each);
   }
 
   const Device& device_;
@@ -184,7 +253,14 @@ class Render {
   std::optional<DeviceScene> onDevice_;
   std::optional<Kernel> trace_, gather_;
   shared::Status status_{};
+  const Picture* picture_ = nullptr;
+  struct {
+    double before = 0.0, each = 1.0;
+  } share_;  ///< of the picture: how many are done, its part of all
+  bool filmIsClear_ = true;
   Image image_;
+  std::vector<std::byte> copy_;
+  Sparing sparing_{options_.watcher.share};
 };
 
 }  // namespace
@@ -202,7 +278,7 @@ Renderer::Renderer(const VulkanOptions& options) : impl_(new Impl{options, {}}) 
 Renderer::~Renderer() = default;
 
 Image Renderer::render(const Scene& scene, const RenderOptions& options, Stats& stats) {
-  const SpecConstants constants = specialise(scene, options, impl_->options.generic);
+  std::vector<Picture> pictures = picturesOf(scene, options, impl_->options.generic);
   std::uint64_t triangles = 0;
   for (const Mesh& mesh : scene.meshes) {
     triangles += mesh.triangles.size();
@@ -215,9 +291,10 @@ Image Renderer::render(const Scene& scene, const RenderOptions& options, Stats& 
     if (impl_->options.traversal.empty() && tooDenseForPackets(triangles, scene))
       stats.traversal = "lane";
     const Stopwatch watch(stats.seconds.compile);
-    return compileKernels(vulkan.device, traceName(scene.integrator, stats.traversal), constants);
+    return compileKernels(vulkan.device, traceName(pictures.front(), stats.traversal),
+                          pictures.front().constants);
   });
-  const SceneData data = packScene(scene, options, constants);
+  const SceneData data = packScene(scene, options, constantsOfAll(pictures));
   stats.describe(data);
 
   const StartedVulkan& vulkan = *impl_->vulkan.get();
@@ -232,9 +309,9 @@ Image Renderer::render(const Scene& scene, const RenderOptions& options, Stats& 
   stats.samplesAPass = plan.samplesAPass;
   stats.samples = 0;
   stats.reached = {};
-  Render picture(device, data, plan, scene, options, stats);
-  picture.take(compiling.get(), constants);
-  Image image = picture.run();
+  Render render(device, data, plan, scene, options, stats);
+  render.take(compiling.get());
+  Image image = render.run(std::move(pictures));
   vulkan.instance.throwIfInvalid();
   return image;
 }

@@ -131,7 +131,7 @@ SceneData packScene(const Scene& scene, const RenderOptions& options,
   data.buildSeconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   sortAttributes(data, triangles);
-  if (scene.integrator == Integrator::DirectWhitted)
+  if (constants[shared::SPEC_LIGHTS] != shared::LIGHTS_NONE)
     for (const PointLight& light : scene.lights)
       data.lights.push_back(lightData(light, data.space));
 

@@ -145,7 +145,10 @@ struct Pass {
   uvec4 lights;  // first, count, 1 in the first dispatch of a pass, 1 in the last
 };
 
-// Compensated sums: value = sum + rest. rgb weighted radiance, a weight.
+// Compensated sums: value = sum + rest. rgb weighted radiance, a weight. From centres.comp: sum =
+// position in normalised space, distance in scene units, 0 for no hit; rest = weights of the second
+// and third corner as stored, number of the triangle as its low and its high 16 bits, which floats
+// hold exactly.
 struct FilmPixel {
   vec4 sum;
   vec4 rest;
