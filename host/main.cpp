@@ -106,6 +106,17 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
   app.add_flag_callback(
       "--stats", [&] { command.stats = true; },
       "print figures to stderr; --stats=FILE.json writes them");
+  app.add_option_function<std::string>(
+         "--display-server",
+         [&](const std::string& text) {
+           try {
+             command.displayServer = viewerAddress(text);
+           } catch (const Error& error) {
+             throw CLI::ValidationError(error.what());
+           }
+         },
+         "show the picture in tev or HDRView while it renders")
+      ->type_name("HOST:PORT");
   app.add_flag("-q,--quiet", command.quiet, "print nothing but warnings and errors");
   app.add_flag_callback(
       "-b,--nogui,--no-gui", [] {}, "accepted as Nori does; there is no window");

@@ -15,6 +15,7 @@
 #include "commands/metadata.h"
 #include "commands/progress.h"
 #include "commands/standard_output.h"
+#include "display/display_server.h"
 #include "image/atomic_file.h"
 #include "image/io.h"
 #include "reference/reference.h"
@@ -74,7 +75,8 @@ void warnOfMissingUvs(const RenderOptions& options, const Scene& scene) {
 void checkMemory(const RenderCommand& command, const Camera& camera) {
   const Crop film = command.options.crop.value_or(Crop{0, 0, camera.width, camera.height});
   // A layer's: 4 bytes a channel, once more while layers are put together, and the file's.
-  const std::uint64_t bytes = 24 + 12 * layerChannels(command.options);
+  const std::uint64_t bytes =
+      24 + 12 * layerChannels(command.options) + (command.displayServer ? 12 : 0);
   const std::uint64_t needed = bytes * static_cast<std::uint64_t>(film.x1 - film.x0) *
                                static_cast<std::uint64_t>(film.y1 - film.y0);
   const std::uint64_t there = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
@@ -122,8 +124,13 @@ void writeStats(const RenderCommand& command, const Stats& stats) {
 }
 
 /// Renders with `renderer`, or the reference where there is none.
-Image render(const RenderCommand& command, const Scene& scene, Renderer* renderer, Stats& stats) {
+Image render(const RenderCommand& command, const Scene& scene, Renderer* renderer, Stats& stats,
+             DisplayServer* display) {
   RenderOptions options = command.options;
+  if (display != nullptr)
+    options.watcher.rowsChanged = [&](const Image& picture, int firstRow, int endRow) {
+      display->rowsChanged(picture, firstRow, endRow);
+    };
   Progress progress(!command.quiet);
   options.progress = [&](double share) { progress.show(share); };
   options.stop = Interruption::noted;
@@ -179,10 +186,12 @@ ExitCode run(const RenderCommand& command) {
   const char* const nothing = "before the first pass; nothing is written";
   if (Interruption::noted()) throw interrupted(nothing);
 
+  std::optional<DisplayServer> display;
+  if (command.displayServer) display.emplace(*command.displayServer, wanted.string());
   if (!command.quiet) std::cout << "Configuration: " << describe(scene) << "\nRendering .. ";
   flushStandardOutput();  // better now than after a long render
   const auto renderStart = Clock::now();
-  const Image image = render(command, scene, renderer.get(), stats);
+  const Image image = render(command, scene, renderer.get(), stats, display ? &*display : nullptr);
   const double renderSeconds = since(renderStart);
   const Reached& reached = stats.reached;
   const bool whole = reached.wholeRows == image.height && reached.unfinished == 0;
