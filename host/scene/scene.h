@@ -76,7 +76,7 @@ struct SceneOverrides {
   std::optional<std::uint32_t> sampleCount;
   std::optional<std::int64_t> seed;
   std::optional<glm::ivec2> size;  ///< width, height in pixels
-  bool shading = false;  ///< materials and lights are needed, whatever the integrator
+  bool shading = false;            ///< materials and lights are needed, whatever the integrator
 };
 
 /// A scene and what its reader should be told: one `file:line:col: warning: ...` line each.
