@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "display/connection.h"
 #include "render/renderer.h"
 #include "scene/render_options.h"
 #include "scene/scene.h"
@@ -22,6 +23,7 @@ struct RenderCommand {
   bool stats = false;
   std::string statsFile;
   bool quiet = false;
+  std::optional<ViewerAddress> displayServer;  ///< of a viewer that shows the picture grow
 };
 
 /// `laver compare A.exr B.exr`, or `laver compare --explain SCENE.xml`.

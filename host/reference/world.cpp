@@ -86,6 +86,11 @@ Surface World::surface(const TreeHit& hit) const {
     }
     if (finite(sum) && glm::dot(sum, sum) > 0.0L) surface.shading = unit(sum);
   }
+  if (!mesh.uvs.empty()) {
+    const Weights weights = triangle.asGiven(hit.weights);
+    for (int i = 0; i < 3; ++i)
+      surface.uv += weights[static_cast<std::size_t>(i)] * mesh.uvs[indices[i]];
+  }
   return surface;
 }
 

@@ -92,11 +92,10 @@ void sortAttributes(SceneData& data, const std::vector<shared::Triangle>& inFile
   data.attributes = std::move(sorted);
 }
 
-/// How far av and ao look. Points of the scene lie in [-1, 1]^3, less than 4 apart; below 2^-100
-/// nothing is seen apart.
+/// How far av looks. Points of the scene lie in [-1, 1]^3, less than 4 apart; below 2^-100 nothing
+/// is seen apart.
 float reachOf(const Scene& scene, const Normalisation& space) {
-  const bool av = scene.integrator == Integrator::AverageVisibility;
-  return av ? static_cast<float>(std::clamp(scene.avLength * space.scale, 0x1p-100, 4.0)) : 4.0F;
+  return static_cast<float>(std::clamp(scene.avLength * space.scale, 0x1p-100, 4.0));
 }
 
 /// radiance / distance^2 keeps its value when distances are scaled, if radiance is by the square.
@@ -138,7 +137,7 @@ SceneData packScene(const Scene& scene, const RenderOptions& options,
   data.buildSeconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   sortAttributes(data, triangles);
-  if (scene.integrator == Integrator::DirectWhitted)
+  if (constants[shared::SPEC_LIGHTS] != shared::LIGHTS_NONE)
     for (const PointLight& light : scene.lights)
       data.lights.push_back(lightData(light, data.space));
 

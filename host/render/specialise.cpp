@@ -45,12 +45,18 @@ std::uint32_t samplerConstant(Sampler::Kind kind) {
 }  // namespace
 
 SpecConstants specialise(const Scene& scene, const RenderOptions& options, bool generic) {
+  return specialise(scene, scene.integrator, options, generic);
+}
+
+SpecConstants specialise(const Scene& scene, Integrator shown, const RenderOptions& options,
+                         bool generic) {
   const auto& meshes = scene.meshes;
-  const bool shaded = scene.integrator == Integrator::DirectWhitted;
+  const bool shaded = shown == Integrator::DirectWhitted;
   const bool normals =
-      scene.integrator != Integrator::Depth &&
+      shown != Integrator::Depth && shown != Integrator::Albedo &&
       std::any_of(meshes.begin(), meshes.end(), [](const Mesh& m) { return !m.normals.empty(); });
-  const bool albedos = shaded && std::any_of(meshes.begin(), meshes.end(), [&](const Mesh& m) {
+  const bool coloured = shaded || shown == Integrator::Albedo;
+  const bool albedos = coloured && std::any_of(meshes.begin(), meshes.end(), [&](const Mesh& m) {
                          return m.bsdf.albedo != meshes.front().bsdf.albedo;
                        });
   SpecConstants constants{};

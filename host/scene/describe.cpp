@@ -11,14 +11,16 @@ namespace {
 struct IntegratorName {
   Integrator integrator;
   const char* name;    // in the XML
-  const char* object;  // in the dump
+  const char* object;  // in the dump; nullptr: a layer, which no scene names
 };
 constexpr std::array kIntegrators = {
     IntegratorName{Integrator::Normals, "normals", "NormalIntegrator"},
     IntegratorName{Integrator::DirectWhitted, "direct_whitted", "DirectWhittedIntegrator"},
     IntegratorName{Integrator::Depth, "depth", "DepthIntegrator"},
     IntegratorName{Integrator::AverageVisibility, "av", "AverageVisibilityIntegrator"},
-    IntegratorName{Integrator::AmbientOcclusion, "ao", "AmbientOcclusionIntegrator"}};
+    IntegratorName{Integrator::AmbientOcclusion, "ao", "AmbientOcclusionIntegrator"},
+    IntegratorName{Integrator::ShadingNormal, "shading_normal", nullptr},
+    IntegratorName{Integrator::Albedo, "albedo", nullptr}};
 
 const IntegratorName& entry(Integrator integrator) {
   for (const IntegratorName& candidate : kIntegrators) {
@@ -125,7 +127,7 @@ const char* integratorName(Integrator integrator) { return entry(integrator).nam
 
 std::optional<Integrator> integratorFromName(const std::string& name) {
   for (const IntegratorName& candidate : kIntegrators) {
-    if (candidate.name == name) return candidate.integrator;
+    if (candidate.name == name && candidate.object != nullptr) return candidate.integrator;
   }
   return std::nullopt;
 }

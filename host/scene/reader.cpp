@@ -149,7 +149,8 @@ bool Reader::checkPlace(pugi::xml_node node, const TagRule& rule, std::string_vi
 
 void Reader::missing(pugi::xml_node node, Need need, const std::string& message) {
   const bool needed =
-      need == Need::Always || (need == Need::Shading && integrator_ && shades(*integrator_));
+      need == Need::Always || (need == Need::Shading &&
+                               (draft_.overrides.shading || (integrator_ && shades(*integrator_))));
   if (needed) {
     diagnostics_.error(at(node), message);
   } else {

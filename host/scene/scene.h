@@ -8,8 +8,9 @@
 
 namespace laver {
 
-/// What a pixel shows.
-enum class Integrator { Normals, DirectWhitted, Depth, AverageVisibility, AmbientOcclusion };
+/// What a pixel shows. The last two are layers, which no scene names: the shading normal with its
+/// signs, and the albedo.
+enum class Integrator { Normals, DirectWhitted, Depth, AverageVisibility, AmbientOcclusion, ShadingNormal, Albedo };
 
 /// Pinhole camera. Camera space: +x left, +y up, +z forward.
 struct Camera {
@@ -85,6 +86,7 @@ struct SceneOverrides {
   std::optional<std::uint32_t> sampleCount;
   std::optional<std::int64_t> seed;
   std::optional<glm::ivec2> size;  ///< width, height in pixels
+  bool shading = false;            ///< materials and lights are needed, whatever the integrator
 };
 
 /// A scene and what its reader should be told: one `file:line:col: warning: ...` line each.

@@ -91,6 +91,8 @@ std::vector<std::string_view> knownTags() {
   return tags;
 }
 
-bool shades(Integrator integrator) { return integrator == Integrator::DirectWhitted; }
+bool shades(Integrator integrator) {
+  return integrator == Integrator::DirectWhitted || integrator == Integrator::Albedo;
+}
 
 }  // namespace laver::xml

@@ -157,7 +157,7 @@ struct Params {
   vec4 columnX;    // ray direction = columnX * (width - 2 px) + columnY * (height - 2 py) + columnZ
   vec4 columnY;
   vec4 columnZ;
-  vec4 clip;       // tmin, tmax, 1 / scale of space, how far av and ao look
+  vec4 clip;       // tmin, tmax, 1 / scale of space, how far av looks
   vec4 albedo;     // of all meshes, where they agree
   uvec4 film;      // width, height, samples a pixel, reference of the root
   uvec4 seed;      // low, high; hash of both, half a step of the sample grid in 2^-32 pixels
@@ -179,7 +179,10 @@ struct Pass {
   uvec4 lights;  // first, count, 1 in the first dispatch of a pass, 1 in the last
 };
 
-// Compensated sums: value = sum + rest. rgb weighted radiance, a weight.
+// Compensated sums: value = sum + rest. rgb weighted radiance, a weight. From centres.comp: sum =
+// position in normalised space, distance in scene units, 0 for no hit; rest = weights of the second
+// and third corner as stored, number of the triangle as its low and its high 16 bits, which floats
+// hold exactly.
 struct FilmPixel {
   vec4 sum;
   vec4 rest;
