@@ -1,6 +1,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "reference/texture.h"
 #include "reference/world.h"
 
 namespace laver::reference {
@@ -36,6 +37,8 @@ glm::dvec3 directWhitted(const World& world, const Scene& scene, const glm::dvec
 
 glm::dvec3 radiance(const World& world, const Scene& scene, const CameraRay& camera) {
   const auto hit = world.tree().closest(camera.ray, camera.tmin, camera.tmax);
+  if (!hit && scene.environment && scene.integrator == Integrator::DirectWhitted)
+    return backgroundAt(*scene.environment, camera.ray.direction);
   if (!hit) return glm::dvec3(0.0);
   switch (scene.integrator) {
     case Integrator::Normals:

@@ -40,7 +40,8 @@ class World {
   Tree tree_;
 };
 
-/// Radiance that arrives along a camera ray, by the scene's integrator; 0 for a miss.
+/// Radiance that arrives along a camera ray, by the scene's integrator; 0 for a miss, but for
+/// direct_whitted the background.
 ///   normals         |n|, n the shading normal
 ///   direct_whitted  sum over point lights of radiance / r^2 * n.wi * albedo / pi, where
 ///                   n.wi > 0, n.wo > 0, r^2 > 0 and nothing lies between

@@ -36,8 +36,12 @@ bool tooDenseForPackets(std::uint64_t triangles, const Scene& scene) {
   return triangles > 5 * rays;
 }
 
-std::string traceName(Integrator integrator, const std::string& traversal) {
-  return std::string(integratorName(integrator)) + "_" + traversal;
+std::string traceName(Integrator integrator, const SpecConstants& constants,
+                      const std::string& traversal) {
+  const bool textured = integrator == Integrator::DirectWhitted &&
+                        (constants[shared::SPEC_TEXTURES] != 0 ||
+                         constants[shared::SPEC_BACKGROUND] != shared::BACKGROUND_BLACK);
+  return std::string(integratorName(integrator)) + (textured ? "_textured_" : "_") + traversal;
 }
 
 /// One picture: bands outside, passes inside.
@@ -89,7 +93,8 @@ class Render {
   void compileTrace() {
     const Stopwatch watch(stats_.seconds.compile);
     trace_ = compileKernel(device_, onDevice_->bindings(),
-                           traceName(scene_.integrator, stats_.traversal), data_.constants);
+                           traceName(scene_.integrator, data_.constants, stats_.traversal),
+                           data_.constants);
   }
 
   /// Returns how many samples a pixel the band got.
@@ -215,7 +220,8 @@ Image Renderer::render(const Scene& scene, const RenderOptions& options, Stats& 
     if (impl_->options.traversal.empty() && tooDenseForPackets(triangles, scene))
       stats.traversal = "lane";
     const Stopwatch watch(stats.seconds.compile);
-    return compileKernels(vulkan.device, traceName(scene.integrator, stats.traversal), constants);
+    return compileKernels(vulkan.device, traceName(scene.integrator, constants, stats.traversal),
+                          constants);
   });
   const SceneData data = packScene(scene, options, constants);
   stats.describe(data);

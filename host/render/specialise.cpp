@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render/sampler_data.h"
+#include "render/texture_data.h"
 
 namespace laver {
 namespace {
@@ -38,9 +39,10 @@ SpecConstants specialise(const Scene& scene, const RenderOptions& options, bool 
   const bool normals =
       scene.integrator != Integrator::Depth &&
       std::any_of(meshes.begin(), meshes.end(), [](const Mesh& m) { return !m.normals.empty(); });
-  const bool albedos = shaded && std::any_of(meshes.begin(), meshes.end(), [&](const Mesh& m) {
-                         return m.bsdf.albedo != meshes.front().bsdf.albedo;
-                       });
+  const bool albedos =
+      shaded && std::any_of(meshes.begin(), meshes.end(), [&](const Mesh& m) {
+        return m.bsdf.albedo != meshes.front().bsdf.albedo || (m.bsdf.texture && meshes.size() > 1);
+      });
   SpecConstants constants{};
   constants[shared::SPEC_STACK] = kLikelyStack;
   constants[shared::SPEC_NORMALS] = normals || generic ? 1 : 0;
@@ -53,6 +55,7 @@ SpecConstants specialise(const Scene& scene, const RenderOptions& options, bool 
   constants[shared::SPEC_FILTER] = filterConstant(scene.filter);
   constants[shared::SPEC_APRON] = apronOf(scene.filter.radius);
   constants[shared::SPEC_NORI_TABLE] = options.noriCompat ? 1 : 0;
+  specialiseTextures(scene, generic, constants);
   return constants;
 }
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "scene/texture.h"
+
 namespace laver {
 
 /// What a pixel shows.
@@ -39,6 +41,7 @@ struct Sampler {
 /// Lambertian reflection.
 struct Diffuse {
   glm::dvec3 albedo{0.5};
+  std::optional<Texture> texture;  ///< stands for the albedo
 };
 
 /// Isotropic point light: radiance / distance^2 arrives at a surface.
@@ -67,6 +70,7 @@ struct Scene {
   Sampler sampler;
   std::vector<Mesh> meshes;
   std::vector<PointLight> lights;
+  std::optional<Environment> environment;
 };
 
 /// What the command line changes in a scene before it is checked.
@@ -75,6 +79,7 @@ struct SceneOverrides {
   std::optional<std::uint32_t> sampleCount;
   std::optional<std::int64_t> seed;
   std::optional<glm::ivec2> size;  ///< width, height in pixels
+  bool noriCompat = false;         ///< textures of 8 and 16 bits are taken for linear
 };
 
 /// A scene and what its reader should be told: one `file:line:col: warning: ...` line each.
@@ -83,8 +88,9 @@ struct LoadedScene {
   std::vector<std::string> warnings;
 };
 
-/// Reads a Nori XML scene and its meshes. Throws Error(ExitCode::Scene) whose text holds one
-/// `file:line:col: error: ...` line for every error found.
+/// Reads a Nori XML scene, its meshes and, where the integrator needs them, its pictures. Throws
+/// Error(ExitCode::Scene) whose text holds one `file:line:col: error: ...` line for every error
+/// found.
 LoadedScene loadScene(const std::string& file, const SceneOverrides& overrides = {});
 
 /// Nori's name of an integrator, as in the XML.
