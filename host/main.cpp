@@ -72,7 +72,8 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
   app.add_option("--device", command.vulkan.device, "index, part of the name, or cpu");
   app.add_option("--traversal", command.vulkan.traversal, "lane or packet");
   app.add_flag("--reference", command.reference, "render in double precision on the CPU");
-  app.add_flag("--nori-compat", command.options.noriCompat, "as Nori: filter weights from a table, pictures of 8 bits taken for linear");
+  app.add_flag("--nori-compat", command.options.noriCompat,
+               "as Nori: filter weights from a table, pictures of 8 bits taken for linear");
   app.add_option("-t,--threads", command.options.threads, "threads, 0 for all")
       ->check(CLI::Range(0U, 4096U));
   app.add_flag("--validate", command.vulkan.validate, "make every validation message an error");

@@ -157,9 +157,10 @@ TEST_F(SceneTextures, WhatIsOddIsWarnedOf) {
 
 TEST_F(SceneTextures, NormalsAndDepthNeedNoPicture) {
   for (const Integrator integrator : {Integrator::Normals, Integrator::Depth}) {
-    const auto loaded = files_.load(whitted(picture("no.png"), "<emitter type=\"envmap\"><string "
-                                                              "name=\"filename\" value=\"no.exr\"/></emitter>"),
-                    with(integrator));
+    const auto loaded = files_.load(whitted(picture("no.png"),
+                                            "<emitter type=\"envmap\"><string "
+                                            "name=\"filename\" value=\"no.exr\"/></emitter>"),
+                                    with(integrator));
     EXPECT_TRUE(loaded.warnings.empty());
     EXPECT_FALSE(loaded.scene.meshes[0].bsdf.texture->image);
   }
