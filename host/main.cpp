@@ -117,7 +117,8 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
   app.add_flag("--reference", command.reference, "render in double precision on the CPU");
   app.add_flag("--resume", command.resume,
                "go on from OUT.state.exr if there is one, and leave one to go on from");
-  app.add_flag("--nori-compat", command.options.noriCompat, "filter weights from Nori's table");
+  app.add_flag("--nori-compat", command.options.noriCompat,
+               "as Nori: filter weights from a table, pictures of 8 bits taken for linear");
   app.add_option("-t,--threads", command.options.threads, "threads, 0 for all")
       ->check(CLI::Range(0U, 4096U));
   app.add_flag("--validate", command.vulkan.validate, "make every validation message an error");
@@ -204,6 +205,7 @@ int dispatch(int argc, char** argv) {
   if (devicesApp->parsed()) return static_cast<int>(runDevices());
   if (schemaApp->parsed()) return static_cast<int>(runSchema(schemaJson));
   if (render.scene.empty()) return fail(ExitCode::Usage, "no scene given; see laver --help");
+  render.overrides.noriCompat = render.options.noriCompat;
   return static_cast<int>(run(render));
 }
 

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "reference/texture.h"
 #include "reference/world.h"
 
 namespace laver::reference {
@@ -69,6 +70,8 @@ glm::dvec3 directWhitted(const World& world, const Scene& scene, const glm::dvec
 glm::dvec3 radiance(const World& world, const Scene& scene, Integrator shown,
                     const CameraRay& camera, glm::dvec2 numbers) {
   const auto hit = world.tree().closest(camera.ray, camera.tmin, camera.tmax);
+  if (!hit && scene.environment && shown == Integrator::DirectWhitted)
+    return backgroundAt(*scene.environment, camera.ray.direction);
   if (!hit) return glm::dvec3(shown == Integrator::AverageVisibility ? 1.0 : 0.0);
   switch (shown) {
     case Integrator::Normals:

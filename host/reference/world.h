@@ -45,8 +45,8 @@ class World {
   Tree tree_;
 };
 
-/// Radiance that arrives along a camera ray, by an integrator; 0 for a miss unless said.
-/// `numbers` in [0, 1) choose a direction.
+/// Radiance that arrives along a camera ray, by an integrator; 0 for a miss unless said, but for
+/// direct_whitted the background. `numbers` in [0, 1) choose a direction.
 ///   normals         |n|, n the shading normal
 ///   direct_whitted  sum over point lights of radiance / r^2 * n.wi * albedo / pi, where
 ///                   n.wi > 0, n.wo > 0, r^2 > 0 and nothing lies between

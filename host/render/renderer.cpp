@@ -9,8 +9,8 @@
 #include "core/sparing.h"
 #include "render/kernels.h"
 #include "render/passes.h"
-#include "render/pictures.h"
 #include "render/plan.h"
+#include "render/renderings.h"
 #include "render/resolve.h"
 #include "render/sampler_data.h"
 #include "render/stopwatch.h"
@@ -53,10 +53,10 @@ class Render {
 
   /// All of them in one image; black where there is no time for them. The kernel of the first is
   /// there.
-  Image run(std::vector<Picture> pictures) {
+  Image run(std::vector<Rendering> pictures) {
     std::vector<Image> parts;
     bool whole = true;
-    for (Picture& picture : pictures) {
+    for (Rendering& picture : pictures) {
       const SpecConstants guess = picture.constants;
       requireStack(picture.constants, data_.bvh.stack);
       picture_ = &picture;
@@ -96,7 +96,7 @@ class Render {
     stats_.adaptive.describe(*map_, core_, mostOf(scene_.sampler));
   }
 
-  std::uint32_t wantedOf(const Picture& picture) const {
+  std::uint32_t wantedOf(const Rendering& picture) const {
     return picture.centres ? 1 : map_ ? mostOf(scene_.sampler) : scene_.sampler.sampleCount;
   }
 
@@ -235,7 +235,7 @@ class Render {
   const Crop core_;
   FilmState& state_;
   Stats& stats_;
-  const Picture* picture_ = nullptr;
+  const Rendering* picture_ = nullptr;
   double before_ = 0.0, each_ = 1.0;  ///< pictures that are done, and the share of one
   Image image_;
   std::optional<SampleMap> map_;  ///< of adaptive sampling, once it is decided
@@ -263,7 +263,7 @@ Image Renderer::render(const Scene& scene, const RenderOptions& options, Stats& 
 
 Image Renderer::render(const Scene& scene, const RenderOptions& options, FilmState& state,
                        Stats& stats) {
-  std::vector<Picture> pictures = picturesOf(scene, options, impl_->options.generic);
+  std::vector<Rendering> pictures = renderingsOf(scene, options, impl_->options.generic);
   std::uint64_t triangles = 0;
   for (const Mesh& mesh : scene.meshes) {
     triangles += mesh.triangles.size();

@@ -8,6 +8,7 @@
 
 #include "render/camera_data.h"
 #include "render/sampler_data.h"
+#include "render/texture_data.h"
 
 namespace laver {
 namespace {
@@ -21,7 +22,8 @@ int floorLog2(double x) { return std::ilogb(x); }
 /// Packs the meshes' triangles in file order; attributes get one entry a triangle.
 class MeshPacker {
  public:
-  MeshPacker(const Scene& scene, SceneData& data) : scene_(scene), data_(data) {}
+  MeshPacker(const Scene& scene, SceneData& data, TexturePacker& textures)
+      : scene_(scene), data_(data), textures_(textures) {}
 
   std::vector<shared::Triangle> pack() {
     for (const Mesh& mesh : scene_.meshes) add(mesh);
@@ -38,13 +40,19 @@ class MeshPacker {
     const auto firstNormal = static_cast<std::uint32_t>(data_.normals.size());
     if (smooth)
       for (const dvec3& n : mesh.normals) data_.normals.emplace_back(vec3(n), 0.0F);
-    const auto material = static_cast<std::uint32_t>(data_.materials.size());
-    if (hasAlbedos_) data_.materials.push_back({vec3(mesh.bsdf.albedo), 0.0F});
+    const auto material =
+        static_cast<std::uint32_t>(hasTextures_ ? data_.textures.size() : data_.materials.size());
+    if (hasTextures_)
+      textures_.addMaterial(mesh, nextId_);
+    else if (hasAlbedos_)
+      data_.materials.push_back({vec3(mesh.bsdf.albedo), 0.0F});
 
-    for (glm::uvec3 t : mesh.triangles) {
+    for (const glm::uvec3 given : mesh.triangles) {
+      glm::uvec3 t = given;
       const std::uint32_t flipped = sortCorners(t, positions) ? 1 : 0;
       const vec3 a = positions[t.x], b = positions[t.y], c = positions[t.z];
       const std::uint32_t id = nextId_++;
+      if (hasTextures_) textures_.addTriangle(mesh, given, t);
       // An edge of no length has no inside; its neighbours still meet. Triangles that merely
       // became collinear stay: they fill what rounding opens beside them.
       if (a == b || b == c || c == a) {
@@ -75,10 +83,12 @@ class MeshPacker {
 
   const Scene& scene_;
   SceneData& data_;
+  TexturePacker& textures_;
   std::vector<shared::Triangle> triangles_;
   std::uint32_t nextId_ = 0;
   bool hasNormals_ = data_.constants[shared::SPEC_NORMALS] != 0;
   bool hasAlbedos_ = data_.constants[shared::SPEC_ALBEDOS] != 0;
+  bool hasTextures_ = data_.constants[shared::SPEC_TEXTURES] != 0;
 };
 
 /// Attributes are gathered by triangle in file order; leaves want them in their own.
@@ -130,7 +140,8 @@ SceneData packScene(const Scene& scene, const RenderOptions& options,
   SceneData data;
   data.constants = constants;
   data.space = normalisationOf(scene);
-  const auto triangles = MeshPacker(scene, data).pack();
+  TexturePacker textures(data);
+  const auto triangles = MeshPacker(scene, data, textures).pack();
   data.triangles = triangles.size();
   const auto start = std::chrono::steady_clock::now();
   data.bvh = buildBvh(triangles, options.threads);
@@ -145,6 +156,8 @@ SceneData packScene(const Scene& scene, const RenderOptions& options,
   packCamera(scene, data);
   packFilter(scene.filter, data);
   packSampler(scene, data);
+  if (scene.environment && constants[shared::SPEC_BACKGROUND] != shared::BACKGROUND_BLACK)
+    textures.packBackground(*scene.environment);
   if (!scene.meshes.empty())
     data.params.albedo = glm::vec4(vec3(scene.meshes.front().bsdf.albedo), 0.0F);
   data.params.film.w = data.bvh.root;

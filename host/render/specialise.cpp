@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render/sampler_data.h"
+#include "render/texture_data.h"
 
 namespace laver {
 namespace {
@@ -56,9 +57,10 @@ SpecConstants specialise(const Scene& scene, Integrator shown, const RenderOptio
       shown != Integrator::Depth && shown != Integrator::Albedo &&
       std::any_of(meshes.begin(), meshes.end(), [](const Mesh& m) { return !m.normals.empty(); });
   const bool coloured = shaded || shown == Integrator::Albedo;
-  const bool albedos = coloured && std::any_of(meshes.begin(), meshes.end(), [&](const Mesh& m) {
-                         return m.bsdf.albedo != meshes.front().bsdf.albedo;
-                       });
+  const bool albedos =
+      coloured && std::any_of(meshes.begin(), meshes.end(), [&](const Mesh& m) {
+        return m.bsdf.albedo != meshes.front().bsdf.albedo || (m.bsdf.texture && meshes.size() > 1);
+      });
   SpecConstants constants{};
   constants[shared::SPEC_STACK] = kLikelyStack;
   constants[shared::SPEC_NORMALS] = normals || generic ? 1 : 0;
@@ -74,6 +76,7 @@ SpecConstants specialise(const Scene& scene, Integrator shown, const RenderOptio
   constants[shared::SPEC_APRON] = apronOf(scene.filter.radius);
   constants[shared::SPEC_NORI_TABLE] = options.noriCompat ? 1 : 0;
   constants[shared::SPEC_ADAPTIVE] = options.error > 0.0 ? 1 : 0;
+  specialiseTextures(scene, shown, generic, constants);
   return constants;
 }
 

@@ -95,4 +95,8 @@ bool shades(Integrator integrator) {
   return integrator == Integrator::DirectWhitted || integrator == Integrator::Albedo;
 }
 
+bool needsShading(const Draft& draft) {
+  return draft.overrides.shading || shades(draft.scene.integrator);
+}
+
 }  // namespace laver::xml

@@ -23,7 +23,10 @@ LAVER_CONST uint BIND_SAMPLE_TEXELS = 12;    // T of vec4: the samples, for read
 LAVER_CONST uint BIND_SAMPLE_Y_TEXELS = 13;  // T of float
 LAVER_CONST uint BIND_COUNTS = 14;  // T Count, of the cells of the region; adaptive sampling only
 LAVER_CONST uint BIND_WORK = 15;    // T Work; adaptive sampling only
-LAVER_CONST uint BINDINGS = 16;
+LAVER_CONST uint BIND_TEXTURES = 16;      // T Texture, one a material
+LAVER_CONST uint BIND_UVS = 17;           // T of uvec2: u, v of each corner of textured triangles
+LAVER_CONST uint BIND_IMAGES = 18;        // T of uint: pixels of all pictures, and their tables
+LAVER_CONST uint BINDINGS = 19;
 
 // Specialisation constants: what the scene needs (shaders/*.glsl say what each leaves out).
 LAVER_CONST uint SPEC_STACK = 0;         // entries of the traversal stack
@@ -36,7 +39,10 @@ LAVER_CONST uint SPEC_APRON = 6;         // pixels on each side that a sample ca
 LAVER_CONST uint SPEC_NORI_TABLE = 7;    // filter weights from Nori's table
 LAVER_CONST uint SPEC_SAMPLER = 8;       // SAMPLER_*
 LAVER_CONST uint SPEC_ADAPTIVE = 9;      // cells have sample counts of their own (adaptive.glsl)
-LAVER_CONST uint SPEC_CONSTANTS = 10;
+LAVER_CONST uint SPEC_TEXTURES = 10;     // TEXTURES_* that some mesh shows
+LAVER_CONST uint SPEC_IMAGES = 11;       // IMAGES_* that a texture or the background has
+LAVER_CONST uint SPEC_BACKGROUND = 12;   // BACKGROUND_*
+LAVER_CONST uint SPEC_CONSTANTS = 13;
 
 LAVER_CONST uint FILTER_GAUSSIAN = 0;
 LAVER_CONST uint FILTER_MITCHELL = 1;
@@ -54,6 +60,15 @@ LAVER_CONST uint LIGHTS_NONE = 0;
 LAVER_CONST uint LIGHTS_FEW = 1;
 LAVER_CONST uint LIGHTS_MANY = 2;
 LAVER_CONST uint LIGHTS_A_DISPATCH = 8;
+
+// Bits.
+LAVER_CONST uint TEXTURES_CHECKER = 1;
+LAVER_CONST uint TEXTURES_IMAGE = 2;
+LAVER_CONST uint IMAGES_BYTES = 1;   // a pixel is one word: r | g << 8 | b << 16
+LAVER_CONST uint IMAGES_FLOATS = 2;  // a pixel is three words
+LAVER_CONST uint BACKGROUND_BLACK = 0;
+LAVER_CONST uint BACKGROUND_CONSTANT = 1;
+LAVER_CONST uint BACKGROUND_IMAGE = 2;
 
 LAVER_CONST uint GATHER_GROUP = 64;  // columns
 // Samples of a pixel that are summed plainly before a compensated sum takes them: a pass holds a
@@ -115,6 +130,27 @@ struct Material {
   float pad;
 };
 
+// Pixels from `first` on, rows from the top. Those of bytes stand for the floats that `table` has
+// for each of 256 values; NO_TABLE: the pixels are floats.
+LAVER_CONST uint NO_TABLE = 0xffffffffu;
+struct Picture {
+  uint first, width, height, table;
+};
+
+// What a material shows at (s, t) = uv * scale + offset. 4 texels.
+LAVER_CONST uint TEXTURE_NONE = 0;  // color1
+LAVER_CONST uint TEXTURE_CHECKER = 1;
+LAVER_CONST uint TEXTURE_IMAGE = 2;  // color1 times the picture
+struct Texture {
+  vec3 color1;
+  uint kind;
+  vec3 color2;
+  uint uvs;  // triangle `id` has the texels 3 * (id + uvs) to + 2, for its corners as stored
+  vec2 scale;
+  vec2 offset;
+  Picture picture;
+};
+
 struct Light {
   vec3 position;  // normalised space
   float pad0;
@@ -166,6 +202,8 @@ struct Params {
   uvec4 samplerArgs;
   vec4 filterArgs; // radius and three numbers that filter.glsl explains
   vec4 table[9];   // Nori's table, 33 entries, or for FILTER_GAUSSIAN_NARROW exp(alpha k^2)
+  vec4 background[3];  // rows of the matrix from the world to the picture's space; w: radiance
+  Picture backgroundPicture;
 };
 
 // Push constants of both kernels.
@@ -199,10 +237,11 @@ static_assert(sizeof(Node) == 256);
 static_assert(sizeof(Triangle) == 48 && offsetof(Triangle, c) == 32);
 static_assert(sizeof(Attributes) == 16);
 static_assert(sizeof(Material) == 16);
+static_assert(sizeof(Texture) == 64 && offsetof(Texture, picture) == 48);
 static_assert(sizeof(Light) == 32 && offsetof(Light, radiance) == 16);
 static_assert(sizeof(Jump) == 16);
 static_assert(sizeof(Count) == 16 && sizeof(Work) == 16);
-static_assert(sizeof(Params) == 304 && offsetof(Params, film) == 96);
+static_assert(sizeof(Params) == 368 && offsetof(Params, film) == 96);
 static_assert(sizeof(Pass) == 80);
 static_assert(sizeof(FilmPixel) == 32);
 static_assert(sizeof(Status) == 8);

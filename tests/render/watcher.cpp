@@ -31,9 +31,9 @@ struct Seen {
 };
 
 TEST(Watcher, SeesEveryPassAndInTheEndThePicture) {
-  const Scene scene = smallScene("cornell-two-lights.xml", 64, 16);
+  const Scene scene = smallScene("cornell-two-lights.xml", 64, 32);
   VulkanOptions vulkan = cpuDevice();
-  vulkan.samplesInFlight = 5120;  // bands of some rows, four samples a pass
+  vulkan.samplesInFlight = 10240;  // bands of some rows, eight samples a pass
   Stats stats;
   Seen seen;
   const Image image = Renderer(vulkan).render(scene, seen.options(), stats);
@@ -70,7 +70,7 @@ TEST(Watcher, SeesTheReferenceToo) {
 }
 
 TEST(Watcher, SeesWhatAStoppedRenderLeaves) {
-  const Scene scene = smallScene("cornell-two-lights.xml", 64, 16);
+  const Scene scene = smallScene("cornell-two-lights.xml", 64, 32);
   VulkanOptions vulkan = cpuDevice();
   vulkan.samplesInFlight = 5120;
   Seen seen;

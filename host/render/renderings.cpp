@@ -1,4 +1,4 @@
-#include "render/pictures.h"
+#include "render/renderings.h"
 
 #include <algorithm>
 #include <array>
@@ -46,13 +46,21 @@ class Triangles {
   std::vector<std::uint32_t> ends_;
 };
 
+std::string kernelOf(Integrator shown, const SpecConstants& constants) {
+  const bool coloured = shown == Integrator::DirectWhitted || shown == Integrator::Albedo;
+  const bool textured = constants[shared::SPEC_TEXTURES] != 0 ||
+                        constants[shared::SPEC_BACKGROUND] != shared::BACKGROUND_BLACK;
+  return std::string(integratorName(shown)) + (coloured && textured ? "_textured" : "");
+}
+
 }  // namespace
 
-std::vector<Picture> picturesOf(const Scene& scene, const RenderOptions& options, bool generic) {
-  std::vector<Picture> pictures;
+std::vector<Rendering> renderingsOf(const Scene& scene, const RenderOptions& options,
+                                    bool generic) {
+  std::vector<Rendering> pictures;
   const auto add = [&](Integrator shown, std::vector<std::string> channels) {
-    pictures.push_back(
-        {integratorName(shown), std::move(channels), specialise(scene, shown, options, generic)});
+    const SpecConstants constants = specialise(scene, shown, options, generic);
+    pictures.push_back({kernelOf(shown, constants), std::move(channels), constants});
   };
   add(scene.integrator, {"R", "G", "B"});
   for (Shown& shown : shownBeside(options.more, options.layers))
@@ -67,11 +75,14 @@ std::vector<Picture> picturesOf(const Scene& scene, const RenderOptions& options
   return pictures;
 }
 
-SpecConstants constantsOfAll(std::span<const Picture> pictures) {
+SpecConstants constantsOfAll(std::span<const Rendering> pictures) {
   // They differ where one needs more than another.
   SpecConstants all = pictures.front().constants;
-  for (const Picture& picture : pictures)
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = std::max(all[i], picture.constants[i]);
+  for (const Rendering& picture : pictures)
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const bool kinds = i == shared::SPEC_TEXTURES || i == shared::SPEC_IMAGES;
+      all[i] = kinds ? all[i] | picture.constants[i] : std::max(all[i], picture.constants[i]);
+    }
   return all;
 }
 

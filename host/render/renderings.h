@@ -10,7 +10,7 @@
 namespace laver {
 
 /// One of the pictures that are made of a scene from one upload.
-struct Picture {
+struct Rendering {
   std::string kernel;                 ///< shaders/<kernel>.comp
   std::vector<std::string> channels;  ///< in the file
   SpecConstants constants;
@@ -18,10 +18,10 @@ struct Picture {
 };
 
 /// The scene's own picture first, then what the options ask for beside it.
-std::vector<Picture> picturesOf(const Scene& scene, const RenderOptions& options, bool generic);
+std::vector<Rendering> renderingsOf(const Scene& scene, const RenderOptions& options, bool generic);
 
 /// Constants of the scene's data that serve the kernels of all.
-SpecConstants constantsOfAll(std::span<const Picture> pictures);
+SpecConstants constantsOfAll(std::span<const Rendering> pictures);
 
 /// Fills a picture of the centre layers from `firstRow` on from what centres.comp has left in the
 /// film.
