@@ -11,6 +11,7 @@
 #include <span>
 
 #include "commands/commands.h"
+#include "commands/in_window.h"
 #include "commands/interruption.h"
 #include "commands/metadata.h"
 #include "commands/progress.h"
@@ -75,8 +76,9 @@ void warnOfMissingUvs(const RenderOptions& options, const Scene& scene) {
 void checkMemory(const RenderCommand& command, const Camera& camera) {
   const Crop film = command.options.crop.value_or(Crop{0, 0, camera.width, camera.height});
   // A layer's: 4 bytes a channel, once more while layers are put together, and the file's.
-  const std::uint64_t bytes =
-      24 + 12 * layerChannels(command.options) + (command.displayServer ? 12 : 0);
+  const std::uint64_t bytes = 24 + 12 * layerChannels(command.options) +
+                              (command.displayServer ? 12 : 0) +
+                              (command.gui ? 12 + 4 * layerChannels(command.options) : 0);
   const std::uint64_t needed = bytes * static_cast<std::uint64_t>(film.x1 - film.x0) *
                                static_cast<std::uint64_t>(film.y1 - film.y0);
   const std::uint64_t there = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
@@ -125,14 +127,18 @@ void writeStats(const RenderCommand& command, const Stats& stats) {
 
 /// Renders with `renderer`, or the reference where there is none.
 Image render(const RenderCommand& command, const Scene& scene, Renderer* renderer, Stats& stats,
-             DisplayServer* display) {
+             DisplayServer* display, WindowReport* window) {
   RenderOptions options = command.options;
-  if (display != nullptr)
+  if (display != nullptr || window != nullptr)
     options.watcher.rowsChanged = [&](const Image& picture, int firstRow, int endRow) {
-      display->rowsChanged(picture, firstRow, endRow);
+      if (display != nullptr) display->rowsChanged(picture, firstRow, endRow);
+      if (window != nullptr) window->rowsChanged(picture, firstRow, endRow);
     };
   Progress progress(!command.quiet);
-  options.progress = [&](double share) { progress.show(share); };
+  options.progress = [&](double share) {
+    progress.show(share);
+    if (window != nullptr) window->progress(share, stats);
+  };
   options.stop = Interruption::noted;
   if (renderer != nullptr) return renderer->render(scene, options, stats);
   stats.device = "reference";
@@ -161,9 +167,8 @@ std::filesystem::path partial(std::filesystem::path exr) {
 
 Error interrupted(const std::string& what) { return {Interruption::code(), "interrupted " + what}; }
 
-}  // namespace
-
-ExitCode run(const RenderCommand& command) {
+/// `viewed` may be null.
+ExitCode run(const RenderCommand& command, ViewedPictures* viewed) {
   const auto start = Clock::now();
   const Interruption interruption;
   std::unique_ptr<Renderer> renderer;
@@ -190,9 +195,17 @@ ExitCode run(const RenderCommand& command) {
   if (command.displayServer) display.emplace(*command.displayServer, wanted.string());
   if (!command.quiet) std::cout << "Configuration: " << describe(scene) << "\nRendering .. ";
   flushStandardOutput();  // better now than after a long render
+  std::optional<WindowReport> window;
+  const Crop film =
+      command.options.crop.value_or(Crop{0, 0, scene.camera.width, scene.camera.height});
+  if (viewed != nullptr)
+    window.emplace(*viewed, wanted.string(), film.x1 - film.x0, film.y1 - film.y0,
+                   scene.sampler.sampleCount);
   const auto renderStart = Clock::now();
-  const Image image = render(command, scene, renderer.get(), stats, display ? &*display : nullptr);
+  const Image image = render(command, scene, renderer.get(), stats, display ? &*display : nullptr,
+                             window ? &*window : nullptr);
   const double renderSeconds = since(renderStart);
+  if (window) window->end(image, stats);
   const Reached& reached = stats.reached;
   const bool whole = reached.wholeRows == image.height && reached.unfinished == 0;
   if (!command.quiet)
@@ -223,6 +236,14 @@ ExitCode run(const RenderCommand& command) {
   throw interrupted(fmt::format("with {} of {} samples a pixel in {} of {} rows{}; see \"{}\"",
                                 reached.samples, scene.sampler.sampleCount, reached.rows,
                                 image.height, beside, exr.string()));
+}
+
+}  // namespace
+
+ExitCode run(const RenderCommand& command) {
+  if (!command.gui) return run(command, nullptr);
+  return runInWindow(command.scene + " - laver",
+                     [&](ViewedPictures& viewed) { return run(command, &viewed); });
 }
 
 }  // namespace laver
