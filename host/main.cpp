@@ -2,11 +2,13 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 
 #include "commands/commands.h"
 #include "commands/standard_output.h"
+#include "view/view.h"
 
 namespace {
 
@@ -57,7 +59,8 @@ std::string layerList() {
 }
 
 void addRenderOptions(CLI::App& app, RenderCommand& command) {
-  app.add_option("scene", command.scene, "Nori scene, SCENE.xml")->type_name("SCENE.xml");
+  app.add_option("scene", command.scene, "Nori scene, or a picture, FILE.exr, to view")
+      ->type_name("SCENE.xml");
   app.add_option("-o,--output,--outfile", command.output, "picture to write; a .png goes beside it")
       ->type_name("OUT.exr");
   app.add_option("--spp", command.overrides.sampleCount, "samples a pixel")
@@ -137,8 +140,10 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
          "show the picture in tev or HDRView while it renders")
       ->type_name("HOST:PORT");
   app.add_flag("-q,--quiet", command.quiet, "print nothing but warnings and errors");
+  app.add_flag("--gui", command.gui, "show the picture in a window while it renders");
   app.add_flag_callback(
-      "-b,--nogui,--no-gui", [] {}, "accepted as Nori does; there is no window");
+      "-b,--nogui,--no-gui", [&] { command.gui = false; },
+      "no window, whatever --gui says; the default");
 }
 
 /// CLI11 flags take no text; --stats=FILE.json is taken out before it looks.
@@ -181,6 +186,11 @@ int dispatch(int argc, char** argv) {
       ->check(CLI::IsMember({"max", "p999", "rmse", "relmse"}));
   compareApp->add_option("--out", compare.out, "folder for difference.exr and difference.png")
       ->type_name("DIR");
+  ViewCommand view;
+  CLI::App* viewApp = app.add_subcommand("view", "Shows one or two pictures in a window");
+  viewApp->add_option("a", view.a, "picture")->type_name("A.exr")->required();
+  viewApp->add_option("b", view.b, "picture to hold against it")->type_name("B.exr");
+  viewApp->footer(viewKeys());
   const CLI::App* devicesApp = app.add_subcommand("devices", "Lists Vulkan devices");
   CLI::App* schemaApp = app.add_subcommand("schema", "Lists all that a scene file may hold");
   bool schemaJson = false;
@@ -202,9 +212,14 @@ int dispatch(int argc, char** argv) {
   if (compareApp->parsed() && !comparable)
     return fail(ExitCode::Usage, "compare takes two pictures, or --explain SCENE.xml");
   if (compareApp->parsed()) return static_cast<int>(run(compare));
+  if (viewApp->parsed()) return static_cast<int>(run(view));
   if (devicesApp->parsed()) return static_cast<int>(runDevices());
   if (schemaApp->parsed()) return static_cast<int>(runSchema(schemaJson));
   if (render.scene.empty()) return fail(ExitCode::Usage, "no scene given; see laver --help");
+  if (std::filesystem::path(render.scene).extension() == ".exr") {
+    view.a = render.scene;
+    return static_cast<int>(run(view));
+  }
   render.overrides.noriCompat = render.options.noriCompat;
   return static_cast<int>(run(render));
 }

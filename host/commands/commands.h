@@ -23,6 +23,7 @@ struct RenderCommand {
   bool stats = false;
   std::string statsFile;
   bool quiet = false;
+  bool gui = false;                            ///< show the picture in a window
   std::optional<ViewerAddress> displayServer;  ///< of a viewer that shows the picture grow
 };
 
@@ -37,10 +38,17 @@ struct CompareCommand {
   VulkanOptions vulkan;        ///< for `explain`
 };
 
+/// `laver view A.exr B.exr`.
+struct ViewCommand {
+  std::string a, b;  ///< b may be empty
+};
+
 /// Throws what it cannot do; an interrupted render throws Error(Interrupted) or Error(Terminated)
 /// after what there is has been written under another name.
 ExitCode run(const RenderCommand& command);
 ExitCode run(const CompareCommand& command);
+/// Throws Error(Device) where there can be no window.
+ExitCode run(const ViewCommand& command);
 /// `laver devices`.
 ExitCode runDevices();
 /// `laver schema`.

@@ -11,6 +11,7 @@
 #include <span>
 
 #include "commands/commands.h"
+#include "commands/in_window.h"
 #include "commands/interruption.h"
 #include "commands/metadata.h"
 #include "commands/progress.h"
@@ -93,7 +94,8 @@ void checkMemory(const RenderCommand& command, const Camera& camera) {
   const Crop film = command.options.crop.value_or(Crop{0, 0, camera.width, camera.height});
   // A layer's: 4 bytes a channel, once more while layers are put together, and the file's.
   const std::uint64_t bytes = (command.resume ? 88 : 24) + 12 * layerChannels(command.options) +
-                              (command.displayServer ? 12 : 0);
+                              (command.displayServer ? 12 : 0) +
+                              (command.gui ? 12 + 4 * layerChannels(command.options) : 0);
   const std::uint64_t needed = bytes * static_cast<std::uint64_t>(film.x1 - film.x0) *
                                static_cast<std::uint64_t>(film.y1 - film.y0);
   const std::uint64_t there = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
@@ -142,17 +144,21 @@ void writeStats(const RenderCommand& command, const Stats& stats) {
 
 /// Renders with `renderer`, or the reference where there is none.
 Image render(const RenderCommand& command, const Scene& scene, Renderer* renderer, FilmState& state,
-             Stats& stats, DisplayServer* display) {
+             Stats& stats, DisplayServer* display, WindowReport* window) {
   RenderOptions options = command.options;
   // Adaptive sampling leaves its map beside the picture.
   if (options.error > 0.0 && !asks(options.layers, Layer::Samples))
     options.layers.push_back(Layer::Samples);
-  if (display != nullptr)
+  if (display != nullptr || window != nullptr)
     options.watcher.rowsChanged = [&](const Image& picture, int firstRow, int endRow) {
-      display->rowsChanged(picture, firstRow, endRow);
+      if (display != nullptr) display->rowsChanged(picture, firstRow, endRow);
+      if (window != nullptr) window->rowsChanged(picture, firstRow, endRow);
     };
   Progress progress(!command.quiet);
-  options.progress = [&](double share) { progress.show(share); };
+  options.progress = [&](double share) {
+    progress.show(share);
+    if (window != nullptr) window->progress(share, stats);
+  };
   options.stop = Interruption::noted;
   if (renderer != nullptr) return renderer->render(scene, options, state, stats);
   stats.device = "reference";
@@ -179,43 +185,10 @@ std::filesystem::path partial(std::filesystem::path exr) {
   return exr.replace_extension(".partial.exr");
 }
 
-/// Sums of larger films, of 2 GiB, are kept only where that is asked for.
-constexpr std::int64_t kMostPixelsKept = 1 << 26;
-
-/// What there is to go on from, or what an ended render will leave.
-FilmState stateOf(const RenderCommand& command, const std::filesystem::path& file,
-                  const Camera& camera) {
-  using Keep = FilmState::Keep;
-  if (command.resume) {
-    std::error_code ignored;
-    const bool there = std::filesystem::exists(file, ignored);
-    if (!command.quiet && there) std::cout << fmt::format("Going on from \"{}\"\n", file.string());
-    if (!command.quiet && !there)
-      std::cout << fmt::format("No \"{}\": rendering from the first sample\n", file.string());
-    return there ? readState(file) : FilmState(Keep::Always);
-  }
-  const bool fits = std::int64_t{camera.width} * camera.height <= kMostPixelsKept;
-  return FilmState(!command.reference && fits ? Keep::WhenEnded : Keep::Nothing);
-}
-
-/// Writes the sums where a render can go on from them, and removes them where it cannot. Returns
-/// what to say about them.
-std::string leaveState(const RenderCommand& command, const std::filesystem::path& file,
-                       const FilmState& state, bool more) {
-  if (more && !state.empty()) {
-    writeState(file, state, command.options.threads);
-    return fmt::format("; --resume goes on from \"{}\"", file.string());
-  }
-  std::error_code ignored;
-  if (command.resume) std::filesystem::remove(file, ignored);
-  return {};
-}
-
 Error interrupted(const std::string& what) { return {Interruption::code(), "interrupted " + what}; }
 
-}  // namespace
-
-ExitCode run(const RenderCommand& command) {
+/// `viewed` may be null.
+ExitCode run(const RenderCommand& command, ViewedPictures* viewed) {
   const auto start = Clock::now();
   const Interruption interruption;
   if (command.resume && command.reference)
@@ -248,10 +221,17 @@ ExitCode run(const RenderCommand& command) {
   if (command.displayServer) display.emplace(*command.displayServer, wanted.string());
   if (!command.quiet) std::cout << "Configuration: " << describe(scene) << "\nRendering .. ";
   flushStandardOutput();  // better now than after a long render
+  std::optional<WindowReport> window;
+  const Crop film =
+      command.options.crop.value_or(Crop{0, 0, scene.camera.width, scene.camera.height});
+  if (viewed != nullptr)
+    window.emplace(*viewed, wanted.string(), film.x1 - film.x0, film.y1 - film.y0,
+                   scene.sampler.sampleCount);
   const auto renderStart = Clock::now();
-  const Image image =
-      render(command, scene, renderer.get(), state, stats, display ? &*display : nullptr);
+  const Image image = render(command, scene, renderer.get(), state, stats,
+                             display ? &*display : nullptr, window ? &*window : nullptr);
   const double renderSeconds = since(renderStart);
+  if (window) window->end(image, stats);
   const Reached& reached = stats.reached;
   const bool whole = reached.wholeRows == image.height && reached.unfinished == 0;
   if (!command.quiet)
@@ -285,6 +265,14 @@ ExitCode run(const RenderCommand& command) {
   throw interrupted(fmt::format("with {} of {} samples a pixel in {} of {} rows{}; see \"{}\"{}",
                                 reached.samples, scene.sampler.sampleCount, reached.rows,
                                 image.height, beside, exr.string(), goOn));
+}
+
+}  // namespace
+
+ExitCode run(const RenderCommand& command) {
+  if (!command.gui) return run(command, nullptr);
+  return runInWindow(command.scene + " - laver",
+                     [&](ViewedPictures& viewed) { return run(command, &viewed); });
 }
 
 }  // namespace laver
