@@ -3,6 +3,7 @@
 #include <map>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "image/bitmap.h"
 #include "image/image.h"
@@ -26,5 +27,8 @@ Image readExr(const std::string& file);
 /// Writes R, G, B as 8-bit sRGB, clamped and rounded to nearest; replaced as writeExr does.
 void writePng(const std::string& file, const Image& image);
 void writePng(const std::string& file, const Bitmap& bitmap);
+
+/// The bytes of such a file. Throws Error(Output).
+std::vector<std::byte> encodePng(const Bitmap& bitmap);
 
 }  // namespace laver

@@ -106,4 +106,10 @@ void writePng(const std::string& file, const Bitmap& bitmap) {
   replaceFile(file, target.bytes);
 }
 
+std::vector<std::byte> encodePng(const Bitmap& bitmap) {
+  PngTarget target;
+  if (!encode(bitmap, target)) refuse("PNG in memory", target.reason.data());
+  return std::move(target.bytes);
+}
+
 }  // namespace laver
