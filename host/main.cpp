@@ -65,6 +65,16 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
          "reconstruction filter: gaussian, mitchell, tent or box")
       ->type_name("NAME");
   app.add_option_function<std::string>(
+         "--sampler",
+         [&](const std::string& name) {
+           command.overrides.sampler = samplerFromName(name);
+           if (!command.overrides.sampler)
+             throw CLI::ValidationError("--sampler",
+                                        "expected independent, stratified or sobol, not " + name);
+         },
+         "independent, stratified or sobol")
+      ->type_name("NAME");
+  app.add_option_function<std::string>(
          "--size",
          [&](const std::string& text) {
            const auto v = integers("--size", text, 'x', 2, "WIDTHxHEIGHT");

@@ -11,6 +11,7 @@ layout(constant_id = SPEC_JUMP_LEVELS) const uint JUMP_LEVELS = 3;
 layout(constant_id = SPEC_FILTER) const uint FILTER = FILTER_GAUSSIAN;
 layout(constant_id = SPEC_APRON) const uint APRON = 2;
 layout(constant_id = SPEC_NORI_TABLE) const bool NORI_TABLE = false;
+layout(constant_id = SPEC_SAMPLER) const uint SAMPLER = SAMPLER_INDEPENDENT;
 
 const uint REACH = 2u * APRON + 1u;  // pixels on an axis that one sample reaches
 

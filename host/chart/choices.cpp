@@ -7,11 +7,13 @@ namespace {
 
 /// What there is to choose from. A new sampler is one line here.
 struct SamplerRow {
-  const char* name;  ///< of --sampler; empty: the one that needs no option
+  const char* name;  ///< of --sampler
   bool adaptive;     ///< takes --error
 };
 constexpr SamplerRow kSamplers[] = {
-    {"", false},
+    {"independent", false},
+    {"stratified", false},
+    {"sobol", false},
 };
 
 constexpr Filter::Kind kFilters[] = {Filter::Kind::Box, Filter::Kind::Tent, Filter::Kind::Gaussian,
@@ -32,7 +34,7 @@ void addSeries(const Series& series, std::uint32_t mostSamples, std::vector<Choi
 
 std::string nameOf(const Series& series) {
   std::string name = series.program == "laver" ? "" : series.program + ", ";
-  name += series.sampler.empty() ? "independent" : series.sampler;
+  name += series.sampler;
   if (series.adaptive) name += " adaptive";
   name += std::string(", ") + filterName(series.filter);
   return series.traversal.empty() ? name : name + ", " + series.traversal;
@@ -73,9 +75,9 @@ std::vector<Choice> choicesFor(const Scene& scene, const std::vector<Program>& p
     }
     if (filter.kind == scene.filter.kind)
       for (const std::string& traversal : traversals)
-        addSeries({"laver", "", filter.kind, traversal, false}, mostSamples, choices);
+        addSeries({"laver", "independent", filter.kind, traversal, false}, mostSamples, choices);
     for (const Program& program : programs)
-      addSeries({program.name, "", filter.kind, "", false}, mostSamples, choices);
+      addSeries({program.name, "independent", filter.kind, "", false}, mostSamples, choices);
   }
   return choices;
 }

@@ -9,19 +9,15 @@
 
 #include "chart/chart.h"
 #include "chart/films.h"
-#include "chart/fingerprint.h"
+#include "chart/measure.h"
 #include "chart/numbers.h"
 #include "chart/pictures.h"
-#include "chart/run.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "image/io.h"
 
 namespace laver::chart {
 namespace {
-
-/// Thrown within; the caller of makeChart hears of it by no chart.
-struct Stopped {};
 
 /// Beyond so many samples a pixel the double-precision twin would take longer than all the rest.
 constexpr std::uint32_t kMostJudged = 64;
@@ -44,25 +40,13 @@ std::string today() {
   return text;
 }
 
-nlohmann::json binaryOf(const std::vector<float>& pixels) {
-  const auto* bytes = reinterpret_cast<const std::uint8_t*>(pixels.data());
-  return nlohmann::json::binary(
-      std::vector<std::uint8_t>(bytes, bytes + pixels.size() * sizeof(float)));
-}
-
 class Maker {
  public:
   explicit Maker(const Options& options)
       : options_(options),
         kept_(std::filesystem::path(options.folder) / "kept"),
-        runner_((std::filesystem::path(options.folder) / "kept").string()) {
-    programs_["laver"] = {options.self, fingerprintOfFile(options.self)};
-    for (const Program& program : options.programs)
-      programs_[program.name] = {program.file, fingerprintOfFile(program.file)};
-    scene_ = sceneWith("", 1);
-    sceneKey_ =
-        fmt::format("{} {}x{}", fingerprintOfScene(options.scene), options.size.x, options.size.y);
-  }
+        measurer_(options, kept_),
+        scene_(sceneWith("independent", 1)) {}
 
   Chart make() {
     probe();
@@ -78,39 +62,19 @@ class Maker {
   }
 
  private:
-  struct Started {
-    std::string file, fingerprint;
-  };
-
   Scene sceneWith(const std::string& sampler, std::uint32_t samples) const {
-    static_cast<void>(sampler);
     SceneOverrides overrides;
+    overrides.sampler = samplerFromName(sampler);
     overrides.size = options_.size;
     overrides.sampleCount = samples;
     return loadScene(options_.scene, overrides).scene;
   }
 
-  std::vector<std::string> commonArguments() const {
-    std::vector<std::string> list{options_.scene, "--size",
-                                  fmt::format("{}x{}", options_.size.x, options_.size.y)};
-    if (!options_.device.empty()) list.insert(list.end(), {"--device", options_.device});
-    if (options_.threads != 0)
-      list.insert(list.end(), {"--threads", std::to_string(options_.threads)});
-    return list;
-  }
-
-  Run runOnce(const std::string& program, const std::vector<std::string>& arguments) const {
-    if (options_.stop && options_.stop()) throw Stopped{};
-    auto run = runner_.run(programs_.at(program).file, arguments, options_.stop);
-    if (!run) throw Stopped{};
-    return std::move(*run);
-  }
-
   /// What the device is and how it traces unasked.
   void probe() {
-    auto arguments = commonArguments();
+    auto arguments = measurer_.commonArguments();
     arguments.insert(arguments.end(), {"--spp", "1"});
-    const Run run = runOnce("laver", arguments);
+    const Run run = measurer_.runOnce("laver", arguments);
     chart_.device = run.stats.value("device", "");
     chart_.driver = run.stats.value("driver", "");
     if (run.stats.value("traversal", "") == "packet") otherTraversals_ = {"lane"};
@@ -120,7 +84,7 @@ class Maker {
     chart_.width = options_.size.x;
     chart_.height = options_.size.y;
     chart_.filters = filtersFor(scene_);
-    chart_.truthSamples = options_.truthSamples;
+    chart_.truthSamples = squareFrom(options_.truthSamples);
   }
 
   /// Shares of the progress, by what things took on a machine of 2 threads.
@@ -151,7 +115,7 @@ class Maker {
     truth.threads = options_.threads;
     truth.stop = options_.stop;
     truth.progress = [&](double share) { report(share * truthCost()); };
-    const std::string key = fmt::format("laver {} {}", LAVER_VERSION, sceneKey_);
+    const std::string key = fmt::format("laver {} {}", LAVER_VERSION, measurer_.sceneKey());
     chart_.truths = truthOf(scene_, chart_.filters, truth, kept_, key);
     if (chart_.truths.empty()) throw Stopped{};
     finish(truthCost());
@@ -163,64 +127,22 @@ class Maker {
     return i;
   }
 
-  std::string keyOf(const Choice& choice) const {
-    return fmt::format("{} {} {} {} runs {}", programs_.at(choice.series.program).fingerprint,
-                       sceneKey_, fmt::join(commonArguments(), " "),
-                       fmt::join(choice.arguments(), " "), options_.runs);
-  }
-
-  nlohmann::json measure(const Choice& choice) const {
-    auto arguments = commonArguments();
-    for (const std::string& argument : choice.arguments()) arguments.push_back(argument);
-    std::vector<double> pass, process;
-    double samples = 0;
-    for (std::size_t i = 0; i <= options_.runs; ++i) {
-      const Run run = runOnce(choice.series.program, arguments);
-      samples = run.stats.value("/samples/total"_json_pointer, 0.0) / pixels();
-      if (i == 0) continue;  // warms caches up
-      const auto& seconds = run.stats["seconds"];
-      pass.push_back(seconds.value("trace", 0.0) + seconds.value("reconstruct", 0.0));
-      process.push_back(run.seconds);
-    }
-    const Image image = rgbOf(runner_.picture(), "the picture of " + choice.series.program);
-    if (image.width != chart_.width || image.height != chart_.height)
-      throw Error(ExitCode::Output, choice.series.program + " left a picture of another size");
-    return {{"pass", pass},
-            {"process", process},
-            {"samples", samples},
-            {"pixels", binaryOf(image.pixels)}};
-  }
-
-  Image imageOf(const nlohmann::json& found) const {
-    Image image = rgbImage(chart_.width, chart_.height);
-    const auto& bytes = found.at("pixels").get_binary();
-    if (bytes.size() != image.pixels.size() * sizeof(float))
-      throw Error(ExitCode::Output, "a kept picture has another size");
-    std::memcpy(image.pixels.data(), bytes.data(), bytes.size());
-    return image;
-  }
-
   void addPoint(const Choice& choice) {
-    const std::string key = keyOf(choice);
-    auto found = kept_.read(key);
-    if (!found) {
-      found = measure(choice);
-      kept_.write(key, *found);
-    }
+    const Measured measured = measurer_.measure(choice);
     Point point;
     point.series = nameOf(choice.series);
     point.filter = choice.series.filter;
     point.program = choice.series.program;
-    point.sampler = choice.series.sampler.empty() ? "independent" : choice.series.sampler;
+    point.sampler = choice.series.sampler;
     point.adaptive = choice.series.adaptive;
     point.traversal = choice.series.traversal;
-    point.samples = found->at("samples");
+    point.samples = measured.samples;
     point.command =
-        fmt::format("{} {} {}", choice.series.program, fmt::join(commonArguments(), " "),
+        fmt::format("{} {} {}", choice.series.program, fmt::join(measurer_.commonArguments(), " "),
                     fmt::join(choice.arguments(), " "));
-    point.passSeconds = found->at("pass").get<std::vector<double>>();
-    point.processSeconds = found->at("process").get<std::vector<double>>();
-    addErrors(images_.emplace_back(imageOf(*found)), point);
+    point.passSeconds = measured.passSeconds;
+    point.processSeconds = measured.processSeconds;
+    addErrors(images_.emplace_back(measured.image), point);
     if (options_.say)
       options_.say(fmt::format("{}, {:g} samples: {:.1f} ms, RMSE {:.3g}", point.series,
                                point.samples, quantile(point.passSeconds, 0.5) * 1e3,
@@ -266,7 +188,7 @@ class Maker {
   void judgeGroup(const std::string& sampler, std::uint32_t samples,
                   const std::vector<std::size_t>& members, const std::vector<Choice>& choices) {
     const auto keyOfMember = [&](std::size_t i) {
-      return fmt::format("laver {} mismatches of {}", LAVER_VERSION, keyOf(choices[i]));
+      return fmt::format("laver {} mismatches of {}", LAVER_VERSION, measurer_.keyOf(choices[i]));
     };
     const auto complete = std::all_of(members.begin(), members.end(),
                                       [&](std::size_t i) { return kept_.read(keyOfMember(i)); });
@@ -275,12 +197,12 @@ class Maker {
       const Reference reference(scene, options_.threads);
       Films films(chart_.width, chart_.height, chart_.filters, options_.threads);
       for (std::uint32_t s = 0; s < samples; ++s) {
-        if (options_.stop && options_.stop()) throw Stopped{};
+        throwIfStopped(options_);
         films.add([&](int x, int y) { return glm::dvec2(reference.samplePosition(x, y, s)); },
                   [&](glm::dvec2 film) { return reference.radiance(film); });
       }
       for (const std::size_t i : members) {
-        if (options_.stop && options_.stop()) throw Stopped{};
+        throwIfStopped(options_);
         const std::size_t f = placeOf(choices[i].series.filter);
         scene.filter = chart_.filters[f];
         const Mismatches m =
@@ -307,9 +229,7 @@ class Maker {
   }
 
   void addMethods() {
-    const std::string key =
-        fmt::format("{} methods {} {} runs {}", programs_.at("laver").fingerprint, sceneKey_,
-                    fmt::join(commonArguments(), " "), options_.runs);
+    const std::string key = measurer_.keyOfMethods();
     auto found = kept_.read(key);
     if (!found) {
       found = nlohmann::json::array();
@@ -321,7 +241,7 @@ class Maker {
         if (options_.say) options_.say(std::string("panel C is left out: ") + error.what());
         return;
       }
-      if (options_.stop && options_.stop()) throw Stopped{};
+      throwIfStopped(options_);
       kept_.write(key, *found);
     }
     for (const auto& entry : *found) chart_.methods.push_back(methodFromJson(entry));
@@ -329,10 +249,8 @@ class Maker {
 
   const Options& options_;
   Kept kept_;
-  Runner runner_;
-  std::map<std::string, Started> programs_;
+  Measurer measurer_;
   Scene scene_;
-  std::string sceneKey_;
   std::vector<std::string> otherTraversals_;
   Chart chart_;
   std::vector<Image> images_;  // of the choices

@@ -104,7 +104,7 @@ class Drawing {
       const std::string text =
           inside ? level.label : fmt::format("{}: {:.2g}, further down", level.label, level.y);
       double y = inside ? yAt(level.y) + (level.area ? 14 : -4) : stacked;
-      if (y >= stacked) {
+      if (y > stacked - 14) {
         y = stacked;
         stacked -= 15;
       }
@@ -178,9 +178,13 @@ class Drawing {
       words({x + 12, y}, curve.label, Anchor::Left);
       y += 19;
     }
-    if (!hasFront_) return;
-    line({x - 7, y - 4}, {x + 7, y - 4}, 5, kFront);
-    words({x + 12, y}, "best for its time", Anchor::Left);
+    if (hasFront_) {
+      line({x - 7, y - 4}, {x + 7, y - 4}, 5, kFront);
+      words({x + 12, y}, "best for its time", Anchor::Left);
+      y += 19;
+    }
+    for (const std::string& note : panel_.notes)
+      words({x - 7, y += 16}, note, Anchor::Left, kFaint, 11.5);
   }
 
   const Panel& panel_;

@@ -39,6 +39,7 @@ struct Panel {
   std::vector<Curve> curves;
   std::vector<double> slopes;  ///< dashed lines of theory through the last mark of the first curve
   std::vector<Level> levels;
+  std::vector<std::string> notes;  ///< lines below the legend
 };
 
 inline constexpr int kPanelWidth = 760, kPanelHeight = 460;

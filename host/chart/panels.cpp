@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "chart/numbers.h"
 #include "chart/panel.h"
@@ -93,12 +94,11 @@ Panel timePanel(const Chart& chart, std::size_t filter, const std::string& metri
 Panel methodPanel(const Chart& chart, const std::string& quantity) {
   Panel panel;
   panel.title = "C: intersection without noise";
-  panel.xLabel =
-      "nanoseconds a ray, median and quartiles; boxes: p plain, r robust, o ours; 8: nodes of 8 "
-      "bits";
+  panel.xLabel = "nanoseconds a ray, median and quartiles";
   panel.yLabel = quantity == "t"        ? "99th percentile of the error of t, ulp"
                  : quantity == "normal" ? "99th percentile of the error of the normal, 2^-24"
                                         : "unexcused answers, share of aimed rays";
+  std::map<std::string, std::uint64_t> worst;  // of all boxes and nodes
   for (std::size_t i = 0; i < chart.methods.size(); ++i) {
     const MethodPoint& m = chart.methods[i];
     auto curve = std::find_if(panel.curves.begin(), panel.curves.end(),
@@ -119,8 +119,14 @@ Panel methodPanel(const Chart& chart, const std::string& quantity) {
         {m.nanoseconds, m.quartiles[0], m.quartiles[1], y, methodAnchor(i),
          fmt::format("{}, {}, {}: {:.3g} ns a ray, {} of {} aimed rays unexcused", m.triangles,
                      m.boxes, m.nodes, m.nanoseconds, m.unexcused, m.rays),
-         m.unexcused == 0 ? form : fmt::format("{}, {} unexcused", form, m.unexcused)});
+         form});
+    worst[m.triangles] = std::max(worst[m.triangles], m.unexcused);
   }
+  panel.notes = {"boxes: p plain, r robust,", "o ours; 8: nodes of 8 bits"};
+  if (!chart.methods.empty())
+    panel.notes.push_back(fmt::format("unexcused of {} rays:", chart.methods[0].rays));
+  for (const Curve& curve : panel.curves)
+    panel.notes.push_back(fmt::format("  {} {}", worst.at(curve.label), curve.label));
   return panel;
 }
 

@@ -62,11 +62,15 @@ class Half {
 
 }  // namespace
 
+std::uint32_t squareFrom(std::uint32_t samples) {
+  const auto side = static_cast<std::uint32_t>(std::ceil(std::sqrt(static_cast<double>(samples))));
+  return side * side;
+}
+
 std::vector<Truth> truthOf(const Scene& scene, std::span<const Filter> filters,
                            const TruthOptions& options, const Kept& kept, const std::string& key) {
-  const auto side =
-      static_cast<std::uint32_t>(std::ceil(std::sqrt(static_cast<double>(options.samples))));
-  const std::uint32_t count = side * side;
+  const std::uint32_t count = squareFrom(options.samples);
+  const auto side = static_cast<std::uint32_t>(std::lround(std::sqrt(count)));
   const Camera& camera = scene.camera;
   std::unique_ptr<Reference> reference;  // its tree is built only where there is work
   std::vector<Films> halves;

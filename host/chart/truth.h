@@ -16,6 +16,9 @@ struct Truth {
   double relativeBand = 0;  ///< its own relative MSE: a quarter of that between them
 };
 
+/// The smallest square number that is no less.
+std::uint32_t squareFrom(std::uint32_t samples);
+
 /// How the truth is made.
 struct TruthOptions {
   std::uint32_t samples = 1024;  ///< a pixel and half; a square number, or the next one is taken

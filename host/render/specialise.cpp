@@ -30,6 +30,18 @@ std::uint32_t filterConstant(const Filter& filter) {
   return shared::FILTER_BOX;
 }
 
+std::uint32_t samplerConstant(Sampler::Kind kind) {
+  switch (kind) {
+    case Sampler::Kind::Stratified:
+      return shared::SAMPLER_STRATIFIED;
+    case Sampler::Kind::Sobol:
+      return shared::SAMPLER_SOBOL;
+    case Sampler::Kind::Independent:
+      break;
+  }
+  return shared::SAMPLER_INDEPENDENT;
+}
+
 }  // namespace
 
 SpecConstants specialise(const Scene& scene, const RenderOptions& options, bool generic) {
@@ -49,7 +61,9 @@ SpecConstants specialise(const Scene& scene, const RenderOptions& options, bool 
       generic || (shaded && scene.lights.size() > shared::LIGHTS_A_DISPATCH) ? shared::LIGHTS_MANY
       : shaded && !scene.lights.empty()                                      ? shared::LIGHTS_FEW
                                                                              : shared::LIGHTS_NONE;
-  constants[shared::SPEC_JUMP_LEVELS] = generic ? 3 : jumpLevels(scene.sampler.sampleCount);
+  constants[shared::SPEC_SAMPLER] = samplerConstant(scene.sampler.kind);
+  if (scene.sampler.kind == Sampler::Kind::Independent)
+    constants[shared::SPEC_JUMP_LEVELS] = generic ? 3 : jumpLevels(scene.sampler.sampleCount);
   constants[shared::SPEC_FILTER] = filterConstant(scene.filter);
   constants[shared::SPEC_APRON] = apronOf(scene.filter.radius);
   constants[shared::SPEC_NORI_TABLE] = options.noriCompat ? 1 : 0;

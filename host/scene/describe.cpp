@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 #include "scene/scene.h"
 
@@ -33,6 +34,23 @@ const IntegratorName& entry(Integrator integrator) {
     if (candidate.integrator == integrator) return candidate;
   }
   return kIntegrators[0];
+}
+
+struct SamplerName {
+  Sampler::Kind kind;
+  const char* name;
+  const char* object;
+};
+constexpr std::array kSamplers = {
+    SamplerName{Sampler::Kind::Independent, "independent", "Independent"},
+    SamplerName{Sampler::Kind::Stratified, "stratified", "Stratified"},
+    SamplerName{Sampler::Kind::Sobol, "sobol", "Sobol"}};
+
+const SamplerName& entry(Sampler::Kind kind) {
+  for (const SamplerName& candidate : kSamplers) {
+    if (candidate.kind == kind) return candidate;
+  }
+  return kSamplers[0];
 }
 
 // No negative zero.
@@ -70,7 +88,7 @@ std::string describeFilter(const Filter& filter) {
 
 std::string describeSampler(const Sampler& sampler) {
   const std::string seed = sampler.seed == 0 ? "" : fmt::format(", seed={}", sampler.seed);
-  return fmt::format("Independent[sampleCount={}{}]", sampler.sampleCount, seed);
+  return fmt::format("{}[sampleCount={}{}]", entry(sampler.kind).object, sampler.sampleCount, seed);
 }
 
 std::string describeCamera(const Camera& camera, const Filter& filter) {
@@ -122,6 +140,21 @@ std::optional<Filter> filterFromName(const std::string& name) {
     if (candidate.name == name) return Filter{candidate.kind, candidate.radius};
   }
   return std::nullopt;
+}
+
+const char* samplerName(Sampler::Kind kind) { return entry(kind).name; }
+
+std::optional<Sampler::Kind> samplerFromName(const std::string& name) {
+  for (const SamplerName& candidate : kSamplers) {
+    if (candidate.name == name) return candidate.kind;
+  }
+  return std::nullopt;
+}
+
+glm::uvec2 strataOf(std::uint32_t sampleCount) {
+  auto columns = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(sampleCount)));
+  while (sampleCount % columns != 0) --columns;
+  return {columns, sampleCount / columns};
 }
 
 std::string describe(const Scene& scene) {

@@ -32,7 +32,10 @@ void Reader::readScene(pugi::xml_node root) {
   Properties none(kScene, at(root), diagnostics_);
   readChildren(root, &none, "scene");
   if (!root.child("camera")) buildDefault("camera", "perspective", at(root));
-  if (!root.child("sampler")) buildDefault("sampler", "independent", at(root));
+  if (!root.child("sampler"))
+    buildDefault("sampler",
+                 samplerName(draft_.overrides.sampler.value_or(Sampler::Kind::Independent)),
+                 at(root));
   auto& lights = draft_.scene.lights;
   lights.insert(lights.end(), draft_.meshLights.begin(), draft_.meshLights.end());
 }
@@ -160,6 +163,9 @@ void Reader::readObject(pugi::xml_node node, const TagRule& rule, std::string_vi
   if (!checkPlace(node, rule, parent)) return;
   const char* type = requireAttribute(node, "type", source_, diagnostics_);
   if (!type) return;
+  // All samplers take the same properties, also those that laver does not have.
+  if (rule.tag == std::string_view("sampler") && draft_.overrides.sampler)
+    type = samplerName(*draft_.overrides.sampler);
   const ObjectRule* object = findObject(rule.tag, type);
   if (object) {
     checkAttributes(node, {"type", "name"}, source_, diagnostics_);

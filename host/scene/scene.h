@@ -30,10 +30,16 @@ struct Filter {
   double C = 1.0 / 3.0;  ///< Mitchell only
 };
 
-/// Nori's `independent` sampler.
+/// Where the samples of a pixel lie.
 struct Sampler {
+  enum class Kind {
+    Independent,  ///< Nori's: uniform, each by itself
+    Stratified,   ///< uniform, one in each of strataOf(sampleCount)
+    Sobol         ///< a (0,2)-sequence, Owen-scrambled by pixel; the count changes no sample
+  };
   std::uint32_t sampleCount = 1;  ///< per pixel
   std::int64_t seed = 0;
+  Kind kind = Kind::Independent;
 };
 
 /// Lambertian reflection.
@@ -72,6 +78,7 @@ struct Scene {
 /// What the command line changes in a scene before it is checked.
 struct SceneOverrides {
   std::optional<Integrator> integrator;
+  std::optional<Sampler::Kind> sampler;
   std::optional<std::uint32_t> sampleCount;
   std::optional<std::int64_t> seed;
   std::optional<glm::ivec2> size;      ///< width, height in pixels
@@ -99,6 +106,14 @@ const char* filterName(Filter::Kind kind);
 
 /// The filter of that name with the parameters that the XML may leave out, if laver has it.
 std::optional<Filter> filterFromName(const std::string& name);
+
+/// The same of a sampler.
+const char* samplerName(Sampler::Kind kind);
+std::optional<Sampler::Kind> samplerFromName(const std::string& name);
+
+/// Columns and rows of strata of the sampler `stratified`: the factors of the count that are
+/// nearest to each other, the smaller first.
+glm::uvec2 strataOf(std::uint32_t sampleCount);
 
 /// The `Scene[ ... ]` text that Nori prints.
 std::string describe(const Scene& scene);

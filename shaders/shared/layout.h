@@ -28,17 +28,22 @@ LAVER_CONST uint SPEC_STACK = 0;         // entries of the traversal stack
 LAVER_CONST uint SPEC_NORMALS = 1;       // some mesh has vertex normals
 LAVER_CONST uint SPEC_ALBEDOS = 2;       // the meshes differ in albedo
 LAVER_CONST uint SPEC_LIGHTS = 3;        // LIGHTS_*
-LAVER_CONST uint SPEC_JUMP_LEVELS = 4;   // 1 to 3 tables of the sampler are needed
+LAVER_CONST uint SPEC_JUMP_LEVELS = 4;   // tables that `independent` needs, 1 to 3
 LAVER_CONST uint SPEC_FILTER = 5;        // FILTER_*
 LAVER_CONST uint SPEC_APRON = 6;         // pixels on each side that a sample can reach
 LAVER_CONST uint SPEC_NORI_TABLE = 7;    // filter weights from Nori's table
-LAVER_CONST uint SPEC_CONSTANTS = 8;
+LAVER_CONST uint SPEC_SAMPLER = 8;       // SAMPLER_*
+LAVER_CONST uint SPEC_CONSTANTS = 9;
 
 LAVER_CONST uint FILTER_GAUSSIAN = 0;
 LAVER_CONST uint FILTER_MITCHELL = 1;
 LAVER_CONST uint FILTER_TENT = 2;
 LAVER_CONST uint FILTER_BOX = 3;
 LAVER_CONST uint FILTER_GAUSSIAN_NARROW = 4;  // whose weights filter.glsl makes by products
+
+LAVER_CONST uint SAMPLER_INDEPENDENT = 0;
+LAVER_CONST uint SAMPLER_STRATIFIED = 1;
+LAVER_CONST uint SAMPLER_SOBOL = 2;
 
 // The scene's lights: none, so few that one dispatch looks at all, or more. Those are summed in
 // further dispatches, so that an invocation stays far below lavapipe's 65,535 loop iterations.
@@ -129,8 +134,10 @@ struct Params {
   vec4 clip;       // tmin, tmax, 1 / scale of space, -
   vec4 albedo;     // of all meshes, where they agree
   uvec4 film;      // width, height, samples a pixel, reference of the root
-  uvec4 seed;      // low, high, -, -
-  uvec4 jumps;     // first texel of the tables by sample (low, high part), samples of the low part
+  uvec4 seed;      // low, high; hash of both, half a step of the sample grid in 2^-32 pixels
+  // independent: first texel of the tables by sample (low, high part), samples of the low part;
+  // stratified: strata along y, size of a stratum along x and y in 2^-32 pixels
+  uvec4 samplerArgs;
   vec4 filterArgs; // radius and three numbers that filter.glsl explains
   vec4 table[9];   // Nori's table, 33 entries, or for FILTER_GAUSSIAN_NARROW exp(alpha k^2)
 };

@@ -106,6 +106,7 @@ int main(int argc, char** argv) {
   app.add_option("--spp", command.samples);
   app.add_option("--size", command.size);
   app.add_option("--filter", command.filter);
+  app.add_option("--sampler", command.ignored)->check(CLI::IsMember({"independent"}));
   app.add_option("--stats", command.stats);
   app.add_option("-t,--threads", command.threads);
   app.add_option("--device", command.ignored, "taken, and of no effect");

@@ -213,8 +213,9 @@ const std::vector<Case> kLacking = {
      "\"direct_whitted\" or \"depth\" (nearest: \"normals\")"},
     {"camera", scene("<camera type=\"thinlens\"/>"),
      "f.xml:2:2: error: laver has no camera of type \"thinlens\": expected \"perspective\""},
-    {"sampler", scene("<sampler type=\"stratified\"/>"),
-     "f.xml:2:2: error: laver has no sampler of type \"stratified\": expected \"independent\""},
+    {"sampler", scene("<sampler type=\"halton\"/>"),
+     "f.xml:2:2: error: laver has no sampler of type \"halton\": expected \"independent\", "
+     "\"stratified\" or \"sobol\" (nearest: \"sobol\")"},
     {"rfilter", camera("\n<rfilter type=\"gausian\"/>"),
      "f.xml:3:2: error: laver has no rfilter of type \"gausian\": expected \"gaussian\", "
      "\"mitchell\", \"tent\" or \"box\" (nearest: \"gaussian\")"},

@@ -114,9 +114,10 @@ std::uint64_t MethodJudge::unexcused(std::span<const MethodHit> hits) const {
   return count;
 }
 
-/// A ray may pass a triangle by 16 e A sideways (shared/box.h: e = 2^-24, A = max |origin| + 1):
-/// 24 rays around this one, near and at that distance, would one of them give that answer? Or does
-/// the triangle lie at the same depth, as copies do?
+/// A ray may pass a triangle by 16 e A sideways (shared/box.h: e = 2^-24, A = max |origin| + 1): of
+/// 48 rays around this one, near and at that distance, one must get that answer. Or the triangle
+/// meets one of them where the nearest is met by one of them, as at silhouettes, where the two at
+/// the edge are hit at one depth: to 1e-4, which is that distance seen under a cosine of 0.03.
 bool MethodJudge::excused(std::size_t ray, std::uint32_t id) const {
   const MethodRay& r = rays_[ray];
   const dvec3 d(r.direction), o(r.origin);
@@ -125,20 +126,26 @@ bool MethodJudge::excused(std::size_t ray, std::uint32_t id) const {
   const dvec3 side = glm::normalize(
       glm::cross(d, std::abs(d.x) < 0.5 * glm::length(d) ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
   const dvec3 other = glm::normalize(glm::cross(d, side));
+  const auto wanted = std::lower_bound(byId_.begin(), byId_.end(), id,
+                                       [](const auto& t, std::uint32_t x) { return t.id < x; });
+  std::vector<double> nearest, own;
   for (int i = 0; i < 48; ++i) {
     const double angle = 2.0 * std::numbers::pi * (i % 24) / 24.0;
     const double away = 16.0 * 0x1p-24 * reach / at * (i < 24 ? 1.0 : 0.3);
-    const dvec3 moved = d + away * (std::cos(angle) * side + std::sin(angle) * other);
-    const auto hit = tree_.closest({o, moved}, static_cast<double>(r.tmin) * (1.0 - 1e-6),
+    const reference::Ray moved{o, d + away * (std::cos(angle) * side + std::sin(angle) * other)};
+    const auto hit = tree_.closest(moved, static_cast<double>(r.tmin) * (1.0 - 1e-6),
                                    static_cast<double>(r.tmax) * (1.0 + 1e-6));
     if (!hit ? id == shared::NO_HIT : id == hit->triangle->id) return true;
+    if (hit) nearest.push_back(hit->t);
+    if (id == shared::NO_HIT) continue;
+    if (const auto crossing = reference::crossing(
+            reference::Triangle(wanted->a, wanted->b, wanted->c, id), reference::Shear(moved)))
+      own.push_back(crossing->t);
   }
-  if (id == shared::NO_HIT || truths_[ray].id == shared::NO_HIT) return false;
-  const auto found = std::lower_bound(byId_.begin(), byId_.end(), id,
-                                      [](const auto& t, std::uint32_t x) { return t.id < x; });
-  const dvec3 n = normalOf(*found);
-  const double t = glm::dot(n, dvec3(found->a) - o) / glm::dot(n, d);
-  return std::abs(t - at) <= 32.0 * 0x1p-24 * reach / glm::length(d);
+  return std::any_of(own.begin(), own.end(), [&](double t) {
+    return std::any_of(nearest.begin(), nearest.end(),
+                       [&](double n) { return std::abs(n - t) <= 1e-4 * n; });
+  });
 }
 
 }  // namespace laver::chart
