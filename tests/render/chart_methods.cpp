@@ -13,8 +13,9 @@ namespace {
 /// A closed ball before the camera.
 Scene ballScene() {
   Scene scene;
-  scene.meshes.push_back(test::ball(40, 60, 0.05, {0.0, 0.0, 5.0}));
+  scene.meshes.push_back(test::ball(40, 60, 0.05, {0.0, 0.0, 0.0}));
   scene.camera.width = scene.camera.height = 64;
+  scene.camera.toWorld[3] = {0.0, 0.0, -5.0, 1.0};
   return scene;
 }
 
@@ -64,7 +65,9 @@ TEST(ChartMethods, TheUsualTestLosesRaysAtEdgesAndOursNone) {
     SCOPED_TRACE(m.triangles + ", " + m.boxes + ", " + m.nodes);
     EXPECT_GT(m.nanoseconds, 0.0);
     EXPECT_GT(m.rays, 500U);
-    if (m.triangles == "Moeller-Trumbore") EXPECT_GT(m.unexcused, m.rays / 100);
+    if (m.triangles == "Moeller-Trumbore") {
+      EXPECT_GT(m.unexcused, m.rays / 100);
+    }
     if (m.triangles == "ours" && m.boxes == "ours") {
       EXPECT_EQ(m.unexcused, 0U);
       EXPECT_LT(m.t99, 4.0);  // as tests/stability has it
@@ -104,7 +107,7 @@ TEST(ChartMethods, AWrongAnswerIsNotExcused) {
     right += judge.unexcused(std::span(&hit, 1)) == 0 ? 1 : 0;
   }
   EXPECT_GE(right, 3U);
-  EXPECT_LE(right, 12U);
+  EXPECT_LE(right, 60U);  // the poles' triangles
   hit.id = shared::NO_HIT;
   EXPECT_EQ(judge.unexcused(std::span(&hit, 1)), 1U);
 }

@@ -41,6 +41,7 @@ Chart someChart() {
   peer.filter = Filter::Kind::Gaussian;
   peer.passSeconds = peer.processSeconds = {0.5};
   peer.errors = {0.05, 0.002};
+  peer.thumbnail = peer.errorMap = "data:image/png;base64,AAAA";
   chart.points.push_back(peer);
   chart.methods = {{"ours", "ours", "32 bits", 50, {49, 52}, 0.5, 1.0, 100, 0},
                    {"Moeller-Trumbore", "plain slabs", "32 bits", 40, {39, 41}, 5, 9, 100, 12}};
