@@ -203,6 +203,7 @@ class Maker {
       }
       for (const std::size_t i : members) {
         throwIfStopped(options_);
+        if (kept_.read(keyOfMember(i))) continue;
         const std::size_t f = placeOf(choices[i].series.filter);
         scene.filter = chart_.filters[f];
         const Mismatches m =
