@@ -40,6 +40,11 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
       ->type_name("OUT.exr");
   app.add_option("--spp", command.overrides.sampleCount, "samples a pixel")
       ->check(CLI::Range(1U, 1U << 20));
+  app.add_option("--error", command.options.error,
+                 "adaptive sampling: stop where a pixel's standard error, 1 being white, is below "
+                 "E; --spp is the most a pixel gets")
+      ->type_name("E")
+      ->check(CLI::PositiveNumber & CLI::Range(0.0, 1e6));
   app.add_option("--seed", command.overrides.seed, "seed of the sampler");
   app.add_option_function<std::string>(
          "--integrator",
@@ -47,11 +52,21 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
            command.overrides.integrator = integratorFromName(name);
            if (!command.overrides.integrator)
              throw CLI::ValidationError("--integrator",
-                                        "expected normals, direct_whitted or "
-                                        "depth, not " +
+                                        "expected normals, direct_whitted, depth, "
+                                        "av or ao, not " +
                                             name);
          },
-         "normals, direct_whitted or depth")
+         "normals, direct_whitted, depth, av or ao")
+      ->type_name("NAME");
+  app.add_option_function<std::string>(
+         "--sampler",
+         [&](const std::string& name) {
+           command.overrides.sampler = samplerFromName(name);
+           if (!command.overrides.sampler)
+             throw CLI::ValidationError("--sampler",
+                                        "expected independent, stratified or sobol, not " + name);
+         },
+         "independent, stratified or sobol")
       ->type_name("NAME");
   app.add_option_function<std::string>(
          "--filter",
@@ -63,16 +78,6 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
            command.overrides.filter = filter->kind;
          },
          "reconstruction filter: gaussian, mitchell, tent or box")
-      ->type_name("NAME");
-  app.add_option_function<std::string>(
-         "--sampler",
-         [&](const std::string& name) {
-           command.overrides.sampler = samplerFromName(name);
-           if (!command.overrides.sampler)
-             throw CLI::ValidationError("--sampler",
-                                        "expected independent, stratified or sobol, not " + name);
-         },
-         "independent, stratified or sobol")
       ->type_name("NAME");
   app.add_option_function<std::string>(
          "--size",
@@ -93,6 +98,8 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
   app.add_option("--device", command.vulkan.device, "index, part of the name, or cpu");
   app.add_option("--traversal", command.vulkan.traversal, "lane or packet");
   app.add_flag("--reference", command.reference, "render in double precision on the CPU");
+  app.add_flag("--resume", command.resume,
+               "go on from OUT.state.exr if there is one, and leave one to go on from");
   app.add_flag("--nori-compat", command.options.noriCompat, "filter weights from Nori's table");
   app.add_option("-t,--threads", command.options.threads, "threads, 0 for all")
       ->check(CLI::Range(0U, 4096U));
@@ -186,6 +193,9 @@ int dispatch(int argc, char** argv) {
       app.add_subcommand("chart", "Draws speed against accuracy of all ways to render a scene");
   addChartOptions(*chartApp, chart);
   const CLI::App* devicesApp = app.add_subcommand("devices", "Lists Vulkan devices");
+  CLI::App* schemaApp = app.add_subcommand("schema", "Lists all that a scene file may hold");
+  bool schemaJson = false;
+  schemaApp->add_flag("--json", schemaJson, "as JSON");
   app.require_subcommand(0, 1);
 
   try {
@@ -205,6 +215,7 @@ int dispatch(int argc, char** argv) {
   if (compareApp->parsed()) return static_cast<int>(run(compare));
   if (chartApp->parsed()) return static_cast<int>(run(chart));
   if (devicesApp->parsed()) return static_cast<int>(runDevices());
+  if (schemaApp->parsed()) return static_cast<int>(runSchema(schemaJson));
   if (render.scene.empty()) return fail(ExitCode::Usage, "no scene given; see laver --help");
   return static_cast<int>(run(render));
 }

@@ -27,8 +27,7 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
       live[r] = hits.slot[r] != NO_HIT && along > 0.0 && squared[r] > 7.8886091e-31 &&
                 dotProduct(s.normal, rays.direction[r]) < 0.0;
       cosine[r] = along / sqrt(squared[r]);
-      const float side = dotProduct(s.geometric, toLight) < 0.0 ? -s.offset : s.offset;
-      points[r] = s.position + s.geometric * side;
+      points[r] = beside(s, toLight);
     }
     visible(light, points, live, seen);
     FOR_RAYS (uint r = 0u; r < R; ++r) {

@@ -11,11 +11,22 @@ float unitFloat(uint bits) { return uintBitsToFloat(bits >> 9 | 0x3f800000u) - 1
 vec2 filmPosition(uvec2 pixel, uint number) {
   uvec2 fraction;  // of a pixel, in 2^-32
   if (SAMPLER == SAMPLER_INDEPENDENT)
-    fraction = independentFraction(pixel, number);
+    fraction = independentFraction(pixel, number, 0u);
   else
     fraction = hashedFraction(pixel, number);
   precise vec2 film = vec2(pixel) + vec2(unitFloat(fraction.x), unitFloat(fraction.y));
   return film;
+}
+
+// Two more numbers in [0, 1), which Nori draws for the aperture. A pinhole does not use them, so that
+// they are free to choose a direction.
+vec2 aperturePosition(uvec2 pixel, uint number) {
+  uvec2 fraction;
+  if (SAMPLER == SAMPLER_INDEPENDENT)
+    fraction = independentFraction(pixel, number, 1u);
+  else
+    fraction = hashedAperture(pixel, number);
+  return vec2(unitFloat(fraction.x), unitFloat(fraction.y));
 }
 
 #endif

@@ -84,4 +84,14 @@ uvec2 hashedFraction(uvec2 pixel, uint number) {
   return fraction & -(middle << 1) | middle;
 }
 
+// Two more numbers of a sample, free of its place: `sobol` takes its sequence in another order,
+// shuffled as scramble() does (Burley 2020, section 5), so that 2^k samples from a multiple of 2^k
+// on have the same strata here; `stratified` draws them at random.
+uvec2 hashedAperture(uvec2 pixel, uint number) {
+  const uvec3 hash = hashOf(uvec3(pixel, ~params.seed.z));
+  if (SAMPLER == SAMPLER_SOBOL)
+    return sobolFraction(hash, bitfieldReverse(scramble(bitfieldReverse(number), hash.z)));
+  return hashOf(uvec3(hash.xy, number)).xy;
+}
+
 #endif

@@ -31,7 +31,8 @@ uvec2 jump(uvec2 state, uvec2 inc, uint entry) {
   return add64(mul64(t.xy, state), mul64(t.zw, inc));
 }
 
-uvec2 independentFraction(uvec2 pixel, uint number) {
+// Numbers 2 `pair` and 2 `pair` + 1 of the four of a sample.
+uvec2 independentFraction(uvec2 pixel, uint number, uint pair) {
   const uvec2 block = pixel & ~31u;
   const uvec2 inside = pixel & 31u;
   const uint blockWidth = min(32u, params.film.x - block.x);
@@ -46,6 +47,7 @@ uvec2 independentFraction(uvec2 pixel, uint number) {
     state = jump(state, inc, params.samplerArgs.x + number % params.samplerArgs.z);
     state = jump(state, inc, params.samplerArgs.y + number / params.samplerArgs.z);
   }
+  for (uint i = 0u; i < 2u * pair; ++i) state = add64(mul64(state, PCG_MULTIPLIER), inc);
   const uint y = pcgOutput(state);  // Nori built with gcc draws y first
   state = add64(mul64(state, PCG_MULTIPLIER), inc);
   return uvec2(pcgOutput(state), y);

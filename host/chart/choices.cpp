@@ -11,9 +11,9 @@ struct SamplerRow {
   bool adaptive;     ///< takes --error
 };
 constexpr SamplerRow kSamplers[] = {
-    {"independent", false},
+    {"independent", true},
     {"stratified", false},
-    {"sobol", false},
+    {"sobol", true},
 };
 
 constexpr Filter::Kind kFilters[] = {Filter::Kind::Box, Filter::Kind::Tent, Filter::Kind::Gaussian,
@@ -21,10 +21,12 @@ constexpr Filter::Kind kFilters[] = {Filter::Kind::Box, Filter::Kind::Tent, Filt
 /// Each step quarters the variance.
 constexpr std::uint32_t kSamples[] = {1, 4, 16, 64, 256};
 constexpr double kErrors[] = {0.04, 0.02, 0.01, 0.005};
+/// Of a pixel, so that the error asked for decides and not this.
+constexpr std::uint32_t kMostAdaptive = 1024;
 
 void addSeries(const Series& series, std::uint32_t mostSamples, std::vector<Choice>& choices) {
   if (series.adaptive)
-    for (const double error : kErrors) choices.push_back({series, 0, error});
+    for (const double error : kErrors) choices.push_back({series, 0, error, kMostAdaptive});
   else
     for (const std::uint32_t samples : kSamples)
       if (samples <= mostSamples) choices.push_back({series, samples, 0.0});
@@ -49,10 +51,8 @@ std::vector<std::string> Choice::arguments() const {
   };
   add("--sampler", series.sampler);
   add("--traversal", series.traversal);
-  if (series.adaptive)
-    add("--error", fmt::format("{}", error));
-  else
-    add("--spp", std::to_string(samples));
+  if (series.adaptive) add("--error", fmt::format("{}", error));
+  add("--spp", std::to_string(series.adaptive ? most : samples));
   return list;
 }
 
@@ -70,7 +70,7 @@ std::vector<Choice> choicesFor(const Scene& scene, const std::vector<Program>& p
   for (const Filter& filter : filtersFor(scene)) {
     for (const SamplerRow& sampler : kSamplers) {
       addSeries({"laver", sampler.name, filter.kind, "", false}, mostSamples, choices);
-      if (sampler.adaptive)
+      if (sampler.adaptive && filter.kind == scene.filter.kind)
         addSeries({"laver", sampler.name, filter.kind, "", true}, mostSamples, choices);
     }
     if (filter.kind == scene.filter.kind)

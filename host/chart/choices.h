@@ -23,6 +23,7 @@ struct Choice {
   Series series;
   std::uint32_t samples = 0;  ///< a pixel; 0: adaptive
   double error = 0;           ///< what an adaptive one is asked for
+  std::uint32_t most = 0;     ///< samples a pixel that it may take
 
   /// The options of the command line, that which comes before and after them left out.
   std::vector<std::string> arguments() const;
@@ -33,8 +34,8 @@ struct Program {
   std::string name, file;
 };
 
-/// The combinations that make sense for a scene: every sampler with every filter, the traversal
-/// that the device would not take with the scene's own filter, and each of `programs` with the
+/// The combinations that make sense for a scene: every sampler with every filter; with the
+/// scene's own filter adaptively too, and by the traversal that the device would not take; each of `programs` with the
 /// filters that are charted. `mostSamples` bounds the samples a pixel.
 std::vector<Choice> choicesFor(const Scene& scene, const std::vector<Program>& programs,
                                const std::vector<std::string>& traversals,

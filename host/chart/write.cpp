@@ -129,7 +129,7 @@ void writeChart(const Chart& chart, const Options& options) {
   put("chart.csv", csvOf(chart));
   put("chart.html", pageOf(chart, options.metric));
   writePng((std::filesystem::path(options.folder) / "chart.png").string(),
-           bitmapOf(chart, options.metric));
+           bitmapOf(chart, options.metric), PngContent::Drawing);
 }
 
 }  // namespace laver::chart

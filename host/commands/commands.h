@@ -19,6 +19,7 @@ struct RenderCommand {
   RenderOptions options;
   VulkanOptions vulkan;
   bool reference = false;
+  bool resume = false;  ///< keep the sums and go on from those that are there
   bool stats = false;
   std::string statsFile;
   bool quiet = false;
@@ -57,5 +58,7 @@ ExitCode run(const CompareCommand& command);
 ExitCode run(const ChartCommand& command);
 /// `laver devices`.
 ExitCode runDevices();
+/// `laver schema`.
+ExitCode runSchema(bool json);
 
 }  // namespace laver

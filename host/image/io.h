@@ -24,9 +24,15 @@ void writeExr(const std::string& file, const Image& image, const Metadata& metad
 /// Throws Error(Usage) if it cannot be read, and for deep data and several parts.
 Image readExr(const std::string& file);
 
+/// The attributes of an EXR file that are texts, by name. Throws Error(Usage) if it is none.
+std::map<std::string, std::string> readExrTexts(const std::string& file);
+
 /// Writes R, G, B as 8-bit sRGB, clamped and rounded to nearest; replaced as writeExr does.
 void writePng(const std::string& file, const Image& image);
-void writePng(const std::string& file, const Bitmap& bitmap);
+/// What decides how a PNG is packed.
+enum class PngContent { Render, Drawing };
+void writePng(const std::string& file, const Bitmap& bitmap,
+              PngContent content = PngContent::Render);
 
 /// The bytes of such a file. Throws Error(Output).
 std::vector<std::byte> encodePng(const Bitmap& bitmap);

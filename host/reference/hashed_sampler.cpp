@@ -75,13 +75,29 @@ Place stratifiedPlace(const Hash& pixel, std::uint64_t count, Word sample) {
           inStratum(stratum % rows, rows, random[1])};
 }
 
+Word foldedSeed(const Sampler& sampler) {
+  const auto seed = static_cast<std::uint64_t>(sampler.seed);
+  return static_cast<Word>(seed) ^ static_cast<Word>(seed >> 32) * 0x9e3779b9u;
+}
+
 }  // namespace
+
+glm::vec2 hashedAperture(const Sampler& sampler, int x, int y, std::uint32_t sample) {
+  const Hash pixel = hashOf(static_cast<Word>(x), static_cast<Word>(y), ~foldedSeed(sampler));
+  Place place{};
+  if (sampler.kind == Sampler::Kind::Sobol) {
+    place = sobolPlace(pixel, scrambled(sample, pixel[2]));
+  } else {
+    const Hash random = hashOf(pixel[0], pixel[1], sample);
+    place = {random[0], random[1]};
+  }
+  const auto number = [](Word w) { return std::ldexp(static_cast<float>(w >> 9), -23); };
+  return {number(place.x), number(place.y)};
+}
 
 glm::vec2 hashedPosition(const Camera& camera, const Sampler& sampler, int x, int y,
                          std::uint32_t sample) {
-  const auto seed = static_cast<std::uint64_t>(sampler.seed);
-  const Hash pixel = hashOf(static_cast<Word>(x), static_cast<Word>(y),
-                            static_cast<Word>(seed) ^ static_cast<Word>(seed >> 32) * 0x9e3779b9u);
+  const Hash pixel = hashOf(static_cast<Word>(x), static_cast<Word>(y), foldedSeed(sampler));
   const Place place = sampler.kind == Sampler::Kind::Sobol
                           ? sobolPlace(pixel, sample)
                           : stratifiedPlace(pixel, sampler.sampleCount, sample);

@@ -15,4 +15,8 @@ namespace laver::reference {
 glm::vec2 hashedPosition(const Camera& camera, const Sampler& sampler, int x, int y,
                          std::uint32_t sample);
 
+/// Two numbers in [0, 1) that have nothing to do with that place. `sobol`: its sequence in an order
+/// that Owen scrambling of the sample's number gives. `stratified`: at random.
+glm::vec2 hashedAperture(const Sampler& sampler, int x, int y, std::uint32_t sample);
+
 }  // namespace laver::reference

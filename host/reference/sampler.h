@@ -14,4 +14,9 @@ namespace laver::reference {
 glm::vec2 samplePosition(const Camera& camera, const Sampler& sampler, int x, int y,
                          std::uint32_t sample);
 
+/// The two numbers in [0, 1) for the aperture, drawn y first too. With a pinhole they are left for
+/// integrators that choose a direction.
+glm::vec2 sampleAperture(const Camera& camera, const Sampler& sampler, int x, int y,
+                         std::uint32_t sample);
+
 }  // namespace laver::reference

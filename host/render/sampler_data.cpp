@@ -71,9 +71,9 @@ std::uint32_t jumpLevels(std::uint32_t samples) {
 
 void packSampler(const Scene& scene, SceneData& data) {
   const Sampler& sampler = scene.sampler;
-  const glm::uvec2 seed = halves(static_cast<std::uint64_t>(sampler.seed));
   data.params.film.z = sampler.sampleCount;
-  data.params.seed = {seed, seed.x ^ seed.y * 0x9e3779b9U, halfStep(scene.camera)};
+  packSeed(sampler.seed, data.params);
+  data.params.seed.w = halfStep(scene.camera);
   if (sampler.kind == Sampler::Kind::Independent) packTables(sampler.sampleCount, data);
   if (sampler.kind == Sampler::Kind::Stratified) {
     const glm::uvec2 strata = strataOf(sampler.sampleCount);
@@ -82,6 +82,11 @@ void packSampler(const Scene& scene, SceneData& data) {
     };
     data.params.samplerArgs = {strata.y, size(strata.x), size(strata.y), 0};
   }
+}
+
+void packSeed(std::int64_t seed, shared::Params& params) {
+  const glm::uvec2 parts = halves(static_cast<std::uint64_t>(seed));
+  params.seed = {parts, parts.x ^ parts.y * 0x9e3779b9U, params.seed.w};
 }
 
 }  // namespace laver

@@ -21,4 +21,7 @@ std::uint32_t jumpLevels(std::uint32_t samples);
 /// data.constants say.
 void packSampler(const Scene& scene, SceneData& data);
 
+/// The part of the parameters that a seed decides.
+void packSeed(std::int64_t seed, shared::Params& params);
+
 }  // namespace laver

@@ -67,6 +67,7 @@ SpecConstants specialise(const Scene& scene, const RenderOptions& options, bool 
   constants[shared::SPEC_FILTER] = filterConstant(scene.filter);
   constants[shared::SPEC_APRON] = apronOf(scene.filter.radius);
   constants[shared::SPEC_NORI_TABLE] = options.noriCompat ? 1 : 0;
+  constants[shared::SPEC_ADAPTIVE] = options.error > 0.0 ? 1 : 0;
   return constants;
 }
 

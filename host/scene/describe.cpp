@@ -16,7 +16,9 @@ struct IntegratorName {
 constexpr std::array kIntegrators = {
     IntegratorName{Integrator::Normals, "normals", "NormalIntegrator"},
     IntegratorName{Integrator::DirectWhitted, "direct_whitted", "DirectWhittedIntegrator"},
-    IntegratorName{Integrator::Depth, "depth", "DepthIntegrator"}};
+    IntegratorName{Integrator::Depth, "depth", "DepthIntegrator"},
+    IntegratorName{Integrator::AverageVisibility, "av", "AverageVisibilityIntegrator"},
+    IntegratorName{Integrator::AmbientOcclusion, "ao", "AmbientOcclusionIntegrator"}};
 
 struct FilterName {
   Filter::Kind kind;
@@ -69,6 +71,12 @@ std::string rows(const glm::dmat4& m, std::size_t column) {
     text += r < 3 ? ";\n" + std::string(column + 1, ' ') : "]";
   }
   return text;
+}
+
+std::string describeIntegrator(const Scene& scene) {
+  const bool av = scene.integrator == Integrator::AverageVisibility;
+  return fmt::format("{}[{}]", entry(scene.integrator).object,
+                     av ? fmt::format("length={:g}", scene.avLength) : "");
 }
 
 std::string describeFilter(const Filter& filter) {
@@ -160,9 +168,9 @@ glm::uvec2 strataOf(std::uint32_t sampleCount) {
 std::string describe(const Scene& scene) {
   // The missing comma behind the sampler is Nori's.
   std::string text = fmt::format(
-      "Scene[\n  integrator = {}[],\n  sampler = {}\n  camera = {},\n  medium = null,\n"
+      "Scene[\n  integrator = {},\n  sampler = {}\n  camera = {},\n  medium = null,\n"
       "  envEmitter = null,\n",
-      entry(scene.integrator).object, describeSampler(scene.sampler),
+      describeIntegrator(scene), describeSampler(scene.sampler),
       describeCamera(scene.camera, scene.filter));
   if (!scene.lights.empty()) {
     text += fmt::format("  emitters = {},\n", list(scene.lights, describeLight));

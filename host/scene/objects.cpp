@@ -14,9 +14,23 @@ namespace {
 
 using enum PropertyType;
 
+double positive(const Properties& given, const char* name) {
+  const double value = given.real(name);
+  if (!(value > 0.0))
+    given.error(name, fmt::format("{} must be more than 0, found {}", name, value));
+  return value;
+}
+
 template <Integrator kKind>
 void buildIntegrator(const Properties&, std::string_view, Draft& draft) {
   if (!draft.overrides.integrator) draft.scene.integrator = kKind;
+}
+
+constexpr std::array kAverageVisibility = {PropertyRule{"length", Float, nullptr}};
+
+void buildAverageVisibility(const Properties& given, std::string_view parent, Draft& draft) {
+  buildIntegrator<Integrator::AverageVisibility>(given, parent, draft);
+  if (given.has("length")) draft.scene.avLength = positive(given, "length");
 }
 
 constexpr std::array kCamera = {
@@ -94,13 +108,6 @@ constexpr std::array kMitchell = {PropertyRule{"radius", Float, "2"},
                                   PropertyRule{"B", Float, "0.3333333333333333"},
                                   PropertyRule{"C", Float, "0.3333333333333333"}};
 
-double positive(const Properties& given, const char* name) {
-  const double value = given.real(name);
-  if (!(value > 0.0))
-    given.error(name, fmt::format("{} must be more than 0, found {}", name, value));
-  return value;
-}
-
 void buildGaussian(const Properties& given, std::string_view, Draft& draft) {
   Filter& filter = draft.scene.filter;
   filter.kind = Filter::Kind::Gaussian;
@@ -169,6 +176,8 @@ constexpr std::array kObjects = {
     ObjectRule{"integrator", "normals", {}, buildIntegrator<Integrator::Normals>},
     ObjectRule{"integrator", "direct_whitted", {}, buildIntegrator<Integrator::DirectWhitted>},
     ObjectRule{"integrator", "depth", {}, buildIntegrator<Integrator::Depth>},
+    ObjectRule{"integrator", "av", kAverageVisibility, buildAverageVisibility},
+    ObjectRule{"integrator", "ao", {}, buildIntegrator<Integrator::AmbientOcclusion>},
     ObjectRule{"camera", "perspective", kCamera, buildCamera},
     ObjectRule{"sampler", "independent", kSampler, buildSampler<Sampler::Kind::Independent>},
     ObjectRule{"sampler", "stratified", kSampler, buildSampler<Sampler::Kind::Stratified>},

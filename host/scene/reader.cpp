@@ -54,7 +54,7 @@ void Reader::readChildren(pugi::xml_node node, Properties* properties, std::stri
       diagnostics_.error(at(child), fmt::format("text outside of tags in <{}>", node.name()));
     } else if (const PropertyType* type = findPropertyType(tag)) {
       readProperty(child, *type, *properties);
-    } else if (isOperation(tag)) {
+    } else if (findOperation(tag)) {
       diagnostics_.error(at(child), fmt::format("<{}> outside of a <transform>", tag));
     }
   }
@@ -63,7 +63,8 @@ void Reader::readChildren(pugi::xml_node node, Properties* properties, std::stri
     properties->rule().build(*properties, parent, draft_);
   }
   for (const pugi::xml_node child : node.children()) {
-    if (!isElement(child) || findPropertyType(child.name()) || isOperation(child.name())) continue;
+    if (!isElement(child) || findPropertyType(child.name()) || findOperation(child.name()))
+      continue;
     if (const TagRule* rule = findTag(child.name())) {
       readObject(child, *rule, node.name());
     } else {

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,7 +9,7 @@
 namespace laver {
 
 /// What a pixel shows.
-enum class Integrator { Normals, DirectWhitted, Depth };
+enum class Integrator { Normals, DirectWhitted, Depth, AverageVisibility, AmbientOcclusion };
 
 /// Pinhole camera. Camera space: +x left, +y up, +z forward.
 struct Camera {
@@ -68,6 +69,8 @@ struct Mesh {
 struct Scene {
   std::string file;  ///< path it was read from
   Integrator integrator = Integrator::Normals;
+  /// How far `av` looks, in scene units.
+  double avLength = std::numeric_limits<double>::infinity();
   Camera camera;
   Filter filter;
   Sampler sampler;

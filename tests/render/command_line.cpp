@@ -53,6 +53,14 @@ TEST_F(CommandLine, ReferenceNeedsNoDriver) {
   EXPECT_NE(run.err.find("laver: "), std::string::npos);
 }
 
+TEST_F(CommandLine, SchemaIsTextOrJson) {
+  const Outcome text = laver("schema"), json = laver("schema --json");
+  EXPECT_EQ(text.code, 0) << text.err;
+  EXPECT_NE(text.out.find("\n    sampleCount  integer    1\n"), std::string::npos) << text.out;
+  EXPECT_EQ(json.code, 0) << json.err;
+  EXPECT_EQ(nlohmann::json::parse(json.out)["elements"][0]["tag"], "integrator");
+}
+
 TEST_F(CommandLine, UsageErrorsAreOneLineAndExitTwo) {
   write("test.xml", kFirstScene);
   for (const char* arguments : {"",

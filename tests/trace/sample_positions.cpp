@@ -18,9 +18,9 @@ namespace {
 
 using Kind = Sampler::Kind;
 
-/// Film positions of samples first .. first + count - 1 of the pixels of `region` (x, y, width,
-/// height), as tests/trace/sample_positions.comp lists them.
-std::vector<glm::vec2> devicePositions(const Device& device, const Scene& scene, glm::uvec4 region,
+/// Film positions and apertures of samples first .. first + count - 1 of the pixels of `region` (x,
+/// y, width, height), as tests/trace/sample_positions.comp lists them.
+std::vector<glm::vec4> devicePositions(const Device& device, const Scene& scene, glm::uvec4 region,
                                        std::uint32_t first, std::uint32_t count) {
   SceneData data;
   data.constants = specialise(scene, {});
@@ -41,7 +41,7 @@ std::vector<glm::vec2> devicePositions(const Device& device, const Scene& scene,
   jumps.upload(std::as_bytes(std::span(data.jumps)));
   const auto view = jumps.texelView(VK_FORMAT_R32G32B32A32_UINT);
   bindings.bind(shared::BIND_JUMPS, view.get());
-  std::vector<glm::vec2> positions(std::size_t{region.z} * region.w * count);
+  std::vector<glm::vec4> positions(std::size_t{region.z} * region.w * count);
   const Buffer output(device, "positions", Buffer::Use::Storage,
                       (positions.size() + 63) / 64 * 64 * sizeof positions[0]);
   bindings.bind(shared::BINDINGS, output);
@@ -88,7 +88,10 @@ TEST_P(SamplePositions, OfTheDeviceAreTheReferences) {
         const glm::vec2 wanted =
             reference::samplePosition(scene.camera, scene.sampler, static_cast<int>(pixel.x),
                                       static_cast<int>(pixel.y), film.first + s);
-        ASSERT_EQ(std::bit_cast<std::uint64_t>(positions[n]), std::bit_cast<std::uint64_t>(wanted))
+        const glm::vec2 aperture =
+            reference::sampleAperture(scene.camera, scene.sampler, static_cast<int>(pixel.x),
+                                      static_cast<int>(pixel.y), film.first + s);
+        ASSERT_EQ(positions[n], glm::vec4(wanted, aperture))
             << pixel.x << ' ' << pixel.y << ' ' << s;
         // `independent` may be rounded up to the next pixel's border.
         ASSERT_GE(positions[n].x, static_cast<float>(pixel.x));

@@ -1,8 +1,10 @@
 // What a chart renders.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 #include "chart/choices.h"
 
@@ -19,17 +21,19 @@ TEST(ChartChoices, EverySamplerMeetsEveryFilterOnce) {
   Scene scene;
   scene.filter = *filterFromName("mitchell");
   const auto choices = choicesFor(scene, {{"embree", "file"}}, {"lane"}, 64);
-  std::set<std::pair<std::string, std::uint32_t>> seen;
+  std::set<std::tuple<std::string, std::uint32_t, double>> seen;
   std::set<std::string> series;
   for (const Choice& choice : choices) {
     EXPECT_LE(choice.samples, 64U);
-    EXPECT_TRUE(seen.emplace(nameOf(choice.series), choice.samples).second)
+    EXPECT_TRUE(seen.emplace(nameOf(choice.series), choice.samples, choice.error).second)
         << nameOf(choice.series);
     series.insert(nameOf(choice.series));
     const auto arguments = choice.arguments();
     EXPECT_TRUE(has(arguments, "--filter", filterName(choice.series.filter)));
     EXPECT_TRUE(has(arguments, "--sampler", choice.series.sampler));
-    EXPECT_TRUE(has(arguments, "--spp", std::to_string(choice.samples)));
+    const auto most = choice.series.adaptive ? choice.most : choice.samples;
+    EXPECT_TRUE(has(arguments, "--spp", std::to_string(most)));
+    EXPECT_EQ(has(arguments, "--error", fmt::format("{}", choice.error)), choice.series.adaptive);
     EXPECT_EQ(has(arguments, "--traversal", "lane"), choice.series.traversal == "lane");
   }
   for (const char* filter : {"box", "tent", "gaussian", "mitchell"}) {
@@ -37,10 +41,12 @@ TEST(ChartChoices, EverySamplerMeetsEveryFilterOnce) {
       EXPECT_TRUE(series.count(std::string(sampler) + ", " + filter));
     EXPECT_TRUE(series.count(std::string("embree, independent, ") + filter));
   }
-  // The other traversal with the scene's own filter alone.
+  // Adaptively, and by the other traversal, with the scene's own filter alone.
+  EXPECT_TRUE(series.count("independent adaptive, mitchell"));
+  EXPECT_TRUE(series.count("sobol adaptive, mitchell"));
   EXPECT_TRUE(series.count("independent, mitchell, lane"));
   EXPECT_FALSE(series.count("independent, box, lane"));
-  EXPECT_EQ(series.size(), 4U * 4U + 1U);
+  EXPECT_EQ(series.size(), 4U * 4U + 3U);
 }
 
 TEST(ChartChoices, TheScenesOwnFilterComesFirstAndKeepsItsNumbers) {
@@ -54,9 +60,9 @@ TEST(ChartChoices, TheScenesOwnFilterComesFirstAndKeepsItsNumbers) {
 }
 
 TEST(ChartChoices, AdaptiveOnesAreAskedByTheirError) {
-  const Choice choice{{"laver", "sobol", Filter::Kind::Box, "", true}, 0, 0.005};
+  const Choice choice{{"laver", "sobol", Filter::Kind::Box, "", true}, 0, 0.005, 32};
   EXPECT_TRUE(has(choice.arguments(), "--error", "0.005"));
-  EXPECT_FALSE(has(choice.arguments(), "--spp", "0"));
+  EXPECT_TRUE(has(choice.arguments(), "--spp", "32"));
   EXPECT_EQ(nameOf(choice.series), "sobol adaptive, box");
 }
 

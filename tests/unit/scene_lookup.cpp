@@ -103,7 +103,8 @@ TEST(SceneOverride, IntegratorMakesAnotherAWarningAndLightsUnneeded) {
   const std::string xml = scene(mesh("\n<bsdf type=\"mirror\"/>"), "path_mis");
   EXPECT_EQ(files.warnings(xml, with(Integrator::Normals)),
             "f.xml:1:9: warning: laver has no integrator of type \"path_mis\": expected "
-            "\"normals\", \"direct_whitted\" or \"depth\" (nearest: \"normals\"); ignored, "
+            "\"normals\", \"direct_whitted\", \"depth\", \"av\" or \"ao\" (nearest: \"normals\"); "
+            "ignored, "
             "integrator \"normals\" does not need it\n"
             "f.xml:3:2: warning: laver has no bsdf of type \"mirror\": expected \"diffuse\"; "
             "ignored, integrator \"normals\" does not need it");

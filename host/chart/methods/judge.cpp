@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <numbers>
-#include <optional>
 
 #include "chart/numbers.h"
 #include "core/parallel.h"
@@ -46,33 +44,10 @@ double errorOfNormal(const dvec3& truth, const glm::vec3& normal) {
   return std::min(glm::length(n - truth), glm::length(n + truth)) / 0x1p-24;
 }
 
-/// Where a triangle is within `pad` of a ray's line, sideways: the ray's t beside its nearest
-/// point.
-std::optional<double> nearRay(const shared::Triangle& triangle, const reference::Ray& ray,
-                              double pad) {
-  const reference::Triangle t(triangle.a, triangle.b, triangle.c, triangle.id);
-  const reference::Shear shear(ray);
-  if (const auto crossing = reference::crossing(t, shear)) return crossing->t;
-  double nearest = pad, depth = 0;
-  bool found = false;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const dvec3 a = shear(t.corner[i]), b = shear(t.corner[(i + 1) % 3]);
-    const glm::dvec2 from(a), along = glm::dvec2(b) - from;
-    const double share =
-        std::clamp(-glm::dot(from, along) / std::max(glm::dot(along, along), 1e-300), 0.0, 1.0);
-    const double distance = glm::length(from + share * along);
-    if (distance > nearest) continue;
-    nearest = distance;
-    depth = std::lerp(a.z, b.z, share);
-    found = true;
-  }
-  if (!found) return {};
-  return depth / shear.depth();
-}
-
 }  // namespace
 
-MethodJudge::MethodJudge(const Bvh& bvh) : byId_(sortedById(bvh)), tree_(doubleTree(bvh)) {}
+MethodJudge::MethodJudge(const Bvh& bvh)
+    : excuses_(bvh), byId_(sortedById(bvh)), tree_(doubleTree(bvh)) {}
 
 MethodJudge::Truth MethodJudge::truthOf(const MethodRay& ray) const {
   const auto hit = tree_.closest({ray.origin, ray.direction}, static_cast<double>(ray.tmin),
@@ -134,38 +109,9 @@ std::uint64_t MethodJudge::unexcused(std::span<const MethodHit> hits) const {
   std::atomic<std::uint64_t> count = 0;
   parallelFor(hits.size(), 64, 0, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      if (hits[i].id != truths_[i].id && !excused(i, hits[i].id)) ++count;
+      if (hits[i].id != truths_[i].id && !excuses_.allow(rays_[i], hits[i].id)) ++count;
   });
   return count;
-}
-
-/// A ray may pass a triangle by 16 e A sideways (shared/box.h: e = 2^-24, A = max |origin| + 1).
-/// The answer stands if its triangle lies that near the ray, at a depth where one of 48 rays around
-/// this one, near and at that distance, meets something first: to 1e-4, which is that distance seen
-/// under a cosine of 0.03. No hit stands where one of them meets nothing.
-bool MethodJudge::excused(std::size_t ray, std::uint32_t id) const {
-  const MethodRay& r = rays_[ray];
-  const dvec3 d(r.direction), o(r.origin);
-  const double reach = std::max({std::abs(o.x), std::abs(o.y), std::abs(o.z)}) + 1.0;
-  const double pad = 16.0 * 0x1p-24 * reach;
-  const double at = truths_[ray].id == shared::NO_HIT ? 1.0 : truths_[ray].t;
-  const dvec3 side = glm::normalize(
-      glm::cross(d, std::abs(d.x) < 0.5 * glm::length(d) ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
-  const dvec3 other = glm::normalize(glm::cross(d, side));
-  const auto wanted = std::lower_bound(byId_.begin(), byId_.end(), id,
-                                       [](const auto& t, std::uint32_t x) { return t.id < x; });
-  const std::optional<double> own =
-      id == shared::NO_HIT ? std::nullopt : nearRay(*wanted, {o, d}, pad);
-  if (id != shared::NO_HIT && !own) return false;
-  for (int i = 0; i < 48; ++i) {
-    const double angle = 2.0 * std::numbers::pi * (i % 24) / 24.0;
-    const double away = pad / at * (i < 24 ? 1.0 : 0.3);
-    const reference::Ray moved{o, d + away * (std::cos(angle) * side + std::sin(angle) * other)};
-    const auto hit = tree_.closest(moved, static_cast<double>(r.tmin) * (1.0 - 1e-6),
-                                   static_cast<double>(r.tmax) * (1.0 + 1e-6));
-    if (own ? hit && std::abs(hit->t - *own) <= 1e-4 * hit->t : !hit) return true;
-  }
-  return false;
 }
 
 }  // namespace laver::chart

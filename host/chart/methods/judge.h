@@ -2,6 +2,7 @@
 #include <span>
 #include <vector>
 
+#include "chart/methods/excuses.h"
 #include "chart/methods/tracer.h"
 #include "reference/tree.h"
 
@@ -10,6 +11,7 @@ namespace laver::chart {
 /// What exact arithmetic says of float rays and float triangles, and what floats may say instead.
 class MethodJudge {
  public:
+  /// `bvh` outlives this.
   explicit MethodJudge(const Bvh& bvh);
 
   /// Adds rays at edges and corners of the triangles that these rays meet, from the same origins.
@@ -23,7 +25,7 @@ class MethodJudge {
   double t99(std::span<const MethodHit> hits) const;
   double normal99(std::span<const MethodHit> hits) const;
 
-  /// Answers that no ray within float's rounding of this one would get.
+  /// Answers that are neither the truth nor excused (excuses.h).
   std::uint64_t unexcused(std::span<const MethodHit> hits) const;
 
  private:
@@ -32,11 +34,11 @@ class MethodJudge {
     double t = 0;
     glm::dvec3 normal{0.0};
   };
-  bool excused(std::size_t ray, std::uint32_t id) const;
   double percentile(std::span<const MethodHit> hits,
                     double (*error)(const MethodHit&, const Truth&)) const;
   Truth truthOf(const MethodRay& ray) const;
 
+  Excuses excuses_;
   std::vector<shared::Triangle> byId_;
   reference::Tree tree_;
   std::vector<MethodRay> rays_;

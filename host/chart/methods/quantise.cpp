@@ -4,10 +4,16 @@
 #include <bit>
 #include <cmath>
 
-#include "bvh/box.h"
-
 namespace laver::chart {
 namespace {
+
+struct Box {
+  glm::vec3 lo{INFINITY}, hi{-INFINITY};
+  void grow(const Box& other) {
+    lo = glm::min(lo, other.lo);
+    hi = glm::max(hi, other.hi);
+  }
+};
 
 Box tighten(Bvh& bvh, std::uint32_t ref) {
   Box box;
@@ -15,7 +21,7 @@ Box tighten(Bvh& bvh, std::uint32_t ref) {
     std::uint32_t slot = ref & shared::REF_INDEX_MASK, more = 0;
     do {
       const shared::Triangle& t = bvh.triangles[slot++];
-      for (const glm::vec3 corner : {t.a, t.b, t.c}) box.grow(corner);
+      for (const glm::vec3 corner : {t.a, t.b, t.c}) box.grow({corner, corner});
       more = t.more;
     } while (more > 0);
     return box;
