@@ -65,4 +65,6 @@ foreach(kernel IN LISTS LAVER_KERNELS)
     laver_kernel(${name}_textured_packet ${kernel} -DLAVER_TEXTURES -DLAVER_PACKET)
   endif()
 endforeach()
+# Methods that laver does not render with, for `laver chart`.
+laver_kernel(charted_methods ${LAVER_SHADER_DIR}/charted/methods.comp)
 laver_kernel_library(laver_shaders spirvOf)

@@ -100,6 +100,17 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
          "layers of the EXR file: " + layerList())
       ->type_name("NAME,...");
   app.add_option_function<std::string>(
+         "--filter",
+         [&](const std::string& name) {
+           const auto filter = filterFromName(name);
+           if (!filter)
+             throw CLI::ValidationError("--filter",
+                                        "expected gaussian, mitchell, tent or box, not " + name);
+           command.overrides.filter = filter->kind;
+         },
+         "reconstruction filter: gaussian, mitchell, tent or box")
+      ->type_name("NAME");
+  app.add_option_function<std::string>(
          "--size",
          [&](const std::string& text) {
            const auto v = integers("--size", text, 'x', 2, "WIDTHxHEIGHT");
@@ -144,6 +155,42 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
   app.add_flag_callback(
       "-b,--nogui,--no-gui", [&] { command.gui = false; },
       "no window, whatever --gui says; the default");
+}
+
+void addChartOptions(CLI::App& app, ChartCommand& command) {
+  app.add_option("scene", command.scene, "Nori scene, SCENE.xml")
+      ->type_name("SCENE.xml")
+      ->required();
+  app.add_option("--out", command.out, "folder of the chart; what is kept there is not done again")
+      ->type_name("DIR");
+  app.add_option_function<std::string>(
+         "--size",
+         [&](const std::string& text) {
+           const auto v = integers("--size", text, 'x', 2, "WIDTHxHEIGHT");
+           command.size = glm::ivec2(v[0], v[1]);
+         },
+         "size of the film in pixels; default 256 wide")
+      ->type_name("WxH");
+  app.add_option("--device", command.device, "as in rendering");
+  app.add_option("-t,--threads", command.threads, "as in rendering")->check(CLI::Range(0U, 4096U));
+  app.add_option("--metric", command.metric, "error to show first: rmse, relmse or unexcused")
+      ->check(CLI::IsMember({"rmse", "relmse", "unexcused"}));
+  app.add_option("--runs", command.runs, "renders of each point; the median counts")
+      ->check(CLI::Range(1U, 1000U));
+  app.add_option("--spp", command.samples, "samples a pixel at most")
+      ->check(CLI::Range(1U, 1U << 20));
+  app.add_option("--reference-spp", command.referenceSamples, "of each half of the reference")
+      ->check(CLI::Range(1U, 1U << 20));
+  app.add_option("--peer", command.peers, "another renderer's picture and time; may be repeated")
+      ->type_name("NAME SECONDS FILE.exr")
+      ->type_size(3)
+      ->expected(1, 1000);
+  app.add_option("--program", command.programs,
+                 "a program that takes laver's options, to run beside it; may be repeated")
+      ->type_name("NAME FILE")
+      ->type_size(2)
+      ->expected(1, 1000);
+  app.add_flag("-q,--quiet", command.quiet, "print nothing but warnings and errors");
 }
 
 /// CLI11 flags take no text; --stats=FILE.json is taken out before it looks.
@@ -191,6 +238,10 @@ int dispatch(int argc, char** argv) {
   viewApp->add_option("a", view.a, "picture")->type_name("A.exr")->required();
   viewApp->add_option("b", view.b, "picture to hold against it")->type_name("B.exr");
   viewApp->footer(viewKeys());
+  ChartCommand chart;
+  CLI::App* chartApp =
+      app.add_subcommand("chart", "Draws speed against accuracy of all ways to render a scene");
+  addChartOptions(*chartApp, chart);
   const CLI::App* devicesApp = app.add_subcommand("devices", "Lists Vulkan devices");
   CLI::App* schemaApp = app.add_subcommand("schema", "Lists all that a scene file may hold");
   bool schemaJson = false;
@@ -213,6 +264,7 @@ int dispatch(int argc, char** argv) {
     return fail(ExitCode::Usage, "compare takes two pictures, or --explain SCENE.xml");
   if (compareApp->parsed()) return static_cast<int>(run(compare));
   if (viewApp->parsed()) return static_cast<int>(run(view));
+  if (chartApp->parsed()) return static_cast<int>(run(chart));
   if (devicesApp->parsed()) return static_cast<int>(runDevices());
   if (schemaApp->parsed()) return static_cast<int>(runSchema(schemaJson));
   if (render.scene.empty()) return fail(ExitCode::Usage, "no scene given; see laver --help");

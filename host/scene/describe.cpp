@@ -22,6 +22,17 @@ constexpr std::array kIntegrators = {
     IntegratorName{Integrator::ShadingNormal, "shading_normal", nullptr},
     IntegratorName{Integrator::Albedo, "albedo", nullptr}};
 
+struct FilterName {
+  Filter::Kind kind;
+  const char* name;
+  double radius;  // pixels, as in objects.cpp
+};
+// In the order of Filter::Kind.
+constexpr std::array kFilters = {FilterName{Filter::Kind::Gaussian, "gaussian", 2.0},
+                                 FilterName{Filter::Kind::Mitchell, "mitchell", 2.0},
+                                 FilterName{Filter::Kind::Tent, "tent", 1.0},
+                                 FilterName{Filter::Kind::Box, "box", 0.5}};
+
 const IntegratorName& entry(Integrator integrator) {
   for (const IntegratorName& candidate : kIntegrators) {
     if (candidate.integrator == integrator) return candidate;
@@ -149,6 +160,15 @@ const char* integratorName(Integrator integrator) { return entry(integrator).nam
 std::optional<Integrator> integratorFromName(const std::string& name) {
   for (const IntegratorName& candidate : kIntegrators) {
     if (candidate.name == name && candidate.object != nullptr) return candidate.integrator;
+  }
+  return std::nullopt;
+}
+
+const char* filterName(Filter::Kind kind) { return kFilters[static_cast<std::size_t>(kind)].name; }
+
+std::optional<Filter> filterFromName(const std::string& name) {
+  for (const FilterName& candidate : kFilters) {
+    if (candidate.name == name) return Filter{candidate.kind, candidate.radius};
   }
   return std::nullopt;
 }

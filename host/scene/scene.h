@@ -97,9 +97,10 @@ struct SceneOverrides {
   std::optional<Sampler::Kind> sampler;
   std::optional<std::uint32_t> sampleCount;
   std::optional<std::int64_t> seed;
-  std::optional<glm::ivec2> size;  ///< width, height in pixels
-  bool shading = false;            ///< materials and lights are needed, whatever the integrator
-  bool noriCompat = false;         ///< textures of 8 and 16 bits are taken for linear
+  std::optional<glm::ivec2> size;      ///< width, height in pixels
+  bool shading = false;                ///< materials and lights are needed, whatever the integrator
+  bool noriCompat = false;             ///< textures of 8 and 16 bits are taken for linear
+  std::optional<Filter::Kind> filter;  ///< with the scene's parameters where it has that kind
 };
 
 /// A scene and what its reader should be told: one `file:line:col: warning: ...` line each.
@@ -118,6 +119,12 @@ const char* integratorName(Integrator integrator);
 
 /// The integrator of that name, if laver has it.
 std::optional<Integrator> integratorFromName(const std::string& name);
+
+/// Nori's name of a filter, as in the XML.
+const char* filterName(Filter::Kind kind);
+
+/// The filter of that name with the parameters that the XML may leave out, if laver has it.
+std::optional<Filter> filterFromName(const std::string& name);
 
 /// The same of a sampler.
 const char* samplerName(Sampler::Kind kind);
