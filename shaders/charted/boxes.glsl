@@ -2,11 +2,9 @@
 #ifndef LAVER_CHARTED_BOXES
 #define LAVER_CHARTED_BOXES
 #include "shared/box.h"
+#include "shared/charted.h"
 
-const uint BOXES_PLAIN = 0;   // slabs, Kay and Kajiya 1986
-const uint BOXES_ROBUST = 1;  // Ize, "Robust BVH Ray Traversal", 2013: far ends grown by 2 gamma(3)
-const uint BOXES_OURS = 2;    // shared/box.h
-layout(constant_id = 2) const uint BOXES = BOXES_OURS;
+layout(constant_id = CHARTED_SPEC_BOXES) const uint BOXES = BOXES_OURS;
 
 struct WalkRay {
   Shear shear;

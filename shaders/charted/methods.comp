@@ -3,20 +3,21 @@
 #extension GL_EXT_control_flow_attributes : require
 // Ways to intersect, side by side, for the chart alone: one walk, one ray an invocation, with a
 // choice of triangle test, box test and form of nodes. What laver renders with is `ours` of each.
+#include "shared/charted.h"
 #include "shared/layout.h"
 #include "shared/point.h"
 #include "charted/boxes.glsl"
 #include "charted/triangles.glsl"
 
-layout(constant_id = 0) const uint STACK = 64;
-layout(constant_id = 3) const bool QUANTISED = false;
+layout(constant_id = CHARTED_SPEC_STACK) const uint STACK = 64;
+layout(constant_id = CHARTED_SPEC_QUANTISED) const bool QUANTISED = false;
 
 layout(local_size_x = 64) in;
-layout(binding = 0) uniform usamplerBuffer rayTexels;  // origin, tmin; direction, tmax
-layout(binding = 1) uniform usamplerBuffer nodeTexels;
-layout(binding = 2) uniform usamplerBuffer triangleTexels;
-layout(binding = 3) writeonly buffer HitBlock { vec4 hitOf[]; };  // normal, t; the id follows
-layout(binding = 4) writeonly buffer IdBlock { uint idOf[]; };
+layout(binding = CHARTED_RAYS) uniform usamplerBuffer rayTexels;
+layout(binding = CHARTED_NODES) uniform usamplerBuffer nodeTexels;
+layout(binding = CHARTED_TRIANGLES) uniform usamplerBuffer triangleTexels;
+layout(binding = CHARTED_HITS) writeonly buffer HitBlock { vec4 hitOf[]; };
+layout(binding = CHARTED_IDS) writeonly buffer IdBlock { uint idOf[]; };
 layout(push_constant) uniform CountBlock { uvec4 count; };  // rays, reference of the root
 
 uint stackRef[STACK];

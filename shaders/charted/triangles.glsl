@@ -1,13 +1,10 @@
 // Triangle tests for the chart.
 #ifndef LAVER_CHARTED_TRIANGLES
 #define LAVER_CHARTED_TRIANGLES
+#include "shared/charted.h"
 #include "shared/triangle.h"
 
-const uint TRIANGLES_MOELLER = 0;  // Moeller and Trumbore 1997
-const uint TRIANGLES_PLAIN = 1;    // Woop, Benthin and Wald 2013, plain products
-const uint TRIANGLES_KAHAN = 2;    // the same with Kahan's difference of products
-const uint TRIANGLES_OURS = 3;     // that, and the point recomputed from the plane (shared/point.h)
-layout(constant_id = 1) const uint TRIANGLES = TRIANGLES_OURS;
+layout(constant_id = CHARTED_SPEC_TRIANGLES) const uint TRIANGLES = TRIANGLES_OURS;
 
 struct TriangleHit {
   bool inside;

@@ -7,6 +7,7 @@
 namespace laver::chart {
 namespace {
 
+/// By their numbers in shared/charted.h.
 constexpr const char* kTriangles[] = {"Moeller-Trumbore", "Woop, plain products", "Woop with Kahan",
                                       "ours"};
 constexpr const char* kBoxes[] = {"plain slabs", "robust slabs", "ours"};

@@ -6,13 +6,13 @@
 
 #include "chart/methods/quantise.h"
 #include "render/stopwatch.h"
+#include "shared/charted.h"
 #include "vulkan/bindings.h"
 #include "vulkan/kernel.h"
 
 namespace laver::chart {
 namespace {
 
-constexpr std::uint32_t kRays = 0, kNodes = 1, kTriangles = 2, kHits = 3, kIds = 4;
 static_assert(sizeof(MethodRay) == 32);
 
 constexpr std::array kTypes = {
@@ -50,16 +50,16 @@ struct MethodTracer::Impl {
     nodes.emplace_back(device, "nodes", bytesOf(quantised(bvh)));
     nodes.emplace_back(device, "nodes", bytesOf(quantised(tight)));
     triangles.emplace(device, "triangles", bytesOf(bvh.triangles));
-    bindings.bind(kTriangles, triangles->view.get());
+    bindings.bind(shared::CHARTED_TRIANGLES, triangles->view.get());
   }
 
   void reserve(std::span<const MethodRay> list) {
     rays.emplace(device, "rays", std::as_bytes(list));
     hits = Buffer(device, "hits", Buffer::Use::Storage, list.size() * 16);
     ids = Buffer(device, "ids", Buffer::Use::Storage, list.size() * 4);
-    bindings.bind(kRays, rays->view.get());
-    bindings.bind(kHits, hits);
-    bindings.bind(kIds, ids);
+    bindings.bind(shared::CHARTED_RAYS, rays->view.get());
+    bindings.bind(shared::CHARTED_HITS, hits);
+    bindings.bind(shared::CHARTED_IDS, ids);
   }
 
   Instance instance{false};
@@ -77,13 +77,16 @@ MethodTracer::MethodTracer(const std::string& device, const Bvh& bvh)
 MethodTracer::~MethodTracer() = default;
 
 void MethodTracer::take(const Method& method) {
-  constexpr std::uint32_t kOurs = 2;
-  const std::array<std::uint32_t, 4> constants{impl_->stack, method.triangles, method.boxes,
-                                               method.quantised ? 1U : 0U};
+  std::array<std::uint32_t, shared::CHARTED_SPECS> constants{};
+  constants[shared::CHARTED_SPEC_STACK] = impl_->stack;
+  constants[shared::CHARTED_SPEC_TRIANGLES] = method.triangles;
+  constants[shared::CHARTED_SPEC_BOXES] = method.boxes;
+  constants[shared::CHARTED_SPEC_QUANTISED] = method.quantised ? 1 : 0;
   impl_->kernel.emplace(impl_->device, impl_->bindings, "charted_methods", constants,
                         sizeof(glm::uvec4));
-  const std::size_t form = (method.boxes == kOurs ? 0U : 1U) + (method.quantised ? 2U : 0U);
-  impl_->bindings.bind(kNodes, impl_->nodes[form].view.get());
+  const std::size_t form =
+      (method.boxes == shared::BOXES_OURS ? 0U : 1U) + (method.quantised ? 2U : 0U);
+  impl_->bindings.bind(shared::CHARTED_NODES, impl_->nodes[form].view.get());
 }
 
 std::vector<MethodHit> MethodTracer::trace(std::span<const MethodRay> rays, double& seconds) {

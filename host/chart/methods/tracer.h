@@ -22,7 +22,7 @@ struct MethodHit {
   std::uint32_t id;  ///< shared::NO_HIT where nothing is met
 };
 
-/// Ways to intersect by their numbers in shaders/charted.
+/// Ways to intersect by their numbers in shared/charted.h.
 struct Method {
   std::uint32_t triangles, boxes;
   bool quantised;
