@@ -8,9 +8,10 @@ build=$root/build
 
 packages='
   ca-certificates cmake g++ glmark2-data glslang-tools libcli11-dev libdeflate-dev libembree-dev
-  libfmt-dev libglm-dev libgtest-dev libopenexr-dev libpng-dev libpugixml-dev libtinyobjloader-dev
-  libvulkan-dev libvulkan-volk-dev libvulkan1 mesa-vulkan-drivers ninja-build nlohmann-json3-dev
-  spirv-tools vulkan-validationlayers'
+  libfmt-dev libgl1-mesa-dri libglfw3-dev libglm-dev libgtest-dev libimgui-dev libjpeg62-turbo-dev
+  libopenexr-dev libpng-dev libpugixml-dev libtinyobjloader-dev libvulkan-dev libvulkan-volk-dev
+  libvulkan1 libx11-dev mesa-vulkan-drivers ninja-build nlohmann-json3-dev spirv-tools
+  vulkan-validationlayers xvfb'
 checkPackages='clang clang-format clang-tidy dpkg-dev file gcovr libclang-rt-dev'
 
 usage() {
@@ -106,6 +107,7 @@ check() {
   buildPreset fuzz
   fuzz scene
   fuzz obj
+  fuzz picture
   echo 'All checks passed.'
 }
 

@@ -2,8 +2,10 @@
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/error.h"
+#include "display/connection.h"
 #include "render/renderer.h"
 #include "scene/render_options.h"
 #include "scene/scene.h"
@@ -22,6 +24,8 @@ struct RenderCommand {
   bool stats = false;
   std::string statsFile;
   bool quiet = false;
+  bool gui = false;                            ///< show the picture in a window
+  std::optional<ViewerAddress> displayServer;  ///< of a viewer that shows the picture grow
 };
 
 /// `laver compare A.exr B.exr`, or `laver compare --explain SCENE.xml`.
@@ -35,10 +39,33 @@ struct CompareCommand {
   VulkanOptions vulkan;        ///< for `explain`
 };
 
+/// `laver view A.exr B.exr`.
+struct ViewCommand {
+  std::string a, b;  ///< b may be empty
+};
+
+/// `laver chart SCENE.xml`.
+struct ChartCommand {
+  std::string scene;
+  std::string out;                 ///< folder; empty: beside the scene
+  std::optional<glm::ivec2> size;  ///< default: 256 pixels wide
+  std::string device;
+  unsigned threads = 0;
+  std::string metric = "rmse";
+  std::size_t runs = 5;
+  std::uint32_t samples = 256, referenceSamples = 1024;
+  std::vector<std::string> peers;     ///< NAME SECONDS FILE.exr, one after the other
+  std::vector<std::string> programs;  ///< NAME FILE, one after the other
+  bool quiet = false;
+};
+
 /// Throws what it cannot do; an interrupted render throws Error(Interrupted) or Error(Terminated)
 /// after what there is has been written under another name.
 ExitCode run(const RenderCommand& command);
 ExitCode run(const CompareCommand& command);
+/// Throws Error(Device) where there can be no window.
+ExitCode run(const ViewCommand& command);
+ExitCode run(const ChartCommand& command);
 /// `laver devices`.
 ExitCode runDevices();
 /// `laver schema`.

@@ -46,6 +46,8 @@ Interruption::~Interruption() {
 
 bool Interruption::noted() { return firstSignal != 0; }
 
+void Interruption::request() { note(SIGINT); }
+
 ExitCode Interruption::code() {
   return firstSignal == SIGTERM ? ExitCode::Terminated : ExitCode::Interrupted;
 }

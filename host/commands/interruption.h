@@ -14,6 +14,8 @@ class Interruption {
 
   /// Whether one of the two came.
   static bool noted();
+  /// Does what Ctrl-C does, ignored or not.
+  static void request();
   /// The exit code of what came first. Call it when one did.
   static ExitCode code();
 };

@@ -13,6 +13,8 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   void show(double share);
+  /// Makes room for a line of something else.
+  void wipe();
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -11,14 +11,17 @@
 #include <span>
 
 #include "commands/commands.h"
+#include "commands/in_window.h"
 #include "commands/interruption.h"
 #include "commands/metadata.h"
 #include "commands/progress.h"
 #include "commands/resume.h"
 #include "commands/standard_output.h"
+#include "display/display_server.h"
 #include "image/atomic_file.h"
 #include "image/io.h"
 #include "reference/reference.h"
+#include "scene/schema.h"
 
 namespace laver {
 namespace {
@@ -61,12 +64,39 @@ void checkError(const RenderCommand& command, const Sampler& sampler) {
                             sampler.sampleCount, shared::CELL_STEP));
 }
 
+/// Channels beside the picture's own three.
+std::size_t layerChannels(const RenderOptions& options) {
+  std::size_t count = centreChannels(options.layers).size();
+  for (const Shown& shown : shownBeside(options.more, options.layers))
+    count += shown.channels.size();
+  return count + (asks(options.layers, Layer::Samples) ? 1 : 0);
+}
+
+/// What is rendered beside the scene's picture asks for materials and lights too.
+SceneOverrides overridesOf(const RenderCommand& command) {
+  SceneOverrides overrides = command.overrides;
+  for (const Shown& shown : shownBeside(command.options.more, command.options.layers))
+    overrides.shading = overrides.shading || xml::shades(shown.integrator);
+  return overrides;
+}
+
+void warnOfMissingUvs(const RenderOptions& options, const Scene& scene) {
+  if (!asks(options.layers, Layer::Uv)) return;
+  for (const Mesh& mesh : scene.meshes)
+    if (mesh.uvs.empty() && !mesh.sphere)
+      std::cerr << fmt::format(
+          "laver: warning: \"{}\" has no texture coordinates; layer uv is 0 there\n", mesh.name);
+}
+
 /// The picture and its files are made in memory; measured at 16384 x 16384: 20 bytes a pixel. Sums
 /// that are kept are 32 more, and their file as many again.
 void checkMemory(const RenderCommand& command, const Camera& camera) {
   const Crop film = command.options.crop.value_or(Crop{0, 0, camera.width, camera.height});
-  const std::uint64_t needed = (command.resume ? 88 : 24) *
-                               static_cast<std::uint64_t>(film.x1 - film.x0) *
+  // A layer's: 4 bytes a channel, once more while layers are put together, and the file's.
+  const std::uint64_t bytes = (command.resume ? 88 : 24) + 12 * layerChannels(command.options) +
+                              (command.displayServer ? 12 : 0) +
+                              (command.gui ? 12 + 4 * layerChannels(command.options) : 0);
+  const std::uint64_t needed = bytes * static_cast<std::uint64_t>(film.x1 - film.x0) *
                                static_cast<std::uint64_t>(film.y1 - film.y0);
   const std::uint64_t there = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
                               static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
@@ -114,10 +144,21 @@ void writeStats(const RenderCommand& command, const Stats& stats) {
 
 /// Renders with `renderer`, or the reference where there is none.
 Image render(const RenderCommand& command, const Scene& scene, Renderer* renderer, FilmState& state,
-             Stats& stats) {
+             Stats& stats, DisplayServer* display, WindowReport* window) {
   RenderOptions options = command.options;
+  // Adaptive sampling leaves its map beside the picture.
+  if (options.error > 0.0 && !asks(options.layers, Layer::Samples))
+    options.layers.push_back(Layer::Samples);
+  if (display != nullptr || window != nullptr)
+    options.watcher.rowsChanged = [&](const Image& picture, int firstRow, int endRow) {
+      if (display != nullptr) display->rowsChanged(picture, firstRow, endRow);
+      if (window != nullptr) window->rowsChanged(picture, firstRow, endRow);
+    };
   Progress progress(!command.quiet);
-  options.progress = [&](double share) { progress.show(share); };
+  options.progress = [&](double share) {
+    progress.show(share);
+    if (window != nullptr) window->progress(share, stats);
+  };
   options.stop = Interruption::noted;
   if (renderer != nullptr) return renderer->render(scene, options, state, stats);
   stats.device = "reference";
@@ -144,43 +185,10 @@ std::filesystem::path partial(std::filesystem::path exr) {
   return exr.replace_extension(".partial.exr");
 }
 
-/// Sums of larger films, of 2 GiB, are kept only where that is asked for.
-constexpr std::int64_t kMostPixelsKept = 1 << 26;
-
-/// What there is to go on from, or what an ended render will leave.
-FilmState stateOf(const RenderCommand& command, const std::filesystem::path& file,
-                  const Camera& camera) {
-  using Keep = FilmState::Keep;
-  if (command.resume) {
-    std::error_code ignored;
-    const bool there = std::filesystem::exists(file, ignored);
-    if (!command.quiet && there) std::cout << fmt::format("Going on from \"{}\"\n", file.string());
-    if (!command.quiet && !there)
-      std::cout << fmt::format("No \"{}\": rendering from the first sample\n", file.string());
-    return there ? readState(file) : FilmState(Keep::Always);
-  }
-  const bool fits = std::int64_t{camera.width} * camera.height <= kMostPixelsKept;
-  return FilmState(!command.reference && fits ? Keep::WhenEnded : Keep::Nothing);
-}
-
-/// Writes the sums where a render can go on from them, and removes them where it cannot. Returns
-/// what to say about them.
-std::string leaveState(const RenderCommand& command, const std::filesystem::path& file,
-                       const FilmState& state, bool more) {
-  if (more && !state.empty()) {
-    writeState(file, state, command.options.threads);
-    return fmt::format("; --resume goes on from \"{}\"", file.string());
-  }
-  std::error_code ignored;
-  if (command.resume) std::filesystem::remove(file, ignored);
-  return {};
-}
-
 Error interrupted(const std::string& what) { return {Interruption::code(), "interrupted " + what}; }
 
-}  // namespace
-
-ExitCode run(const RenderCommand& command) {
+/// `viewed` may be null.
+ExitCode run(const RenderCommand& command, ViewedPictures* viewed) {
   const auto start = Clock::now();
   const Interruption interruption;
   if (command.resume && command.reference)
@@ -194,9 +202,10 @@ ExitCode run(const RenderCommand& command) {
   }
 
   Stats stats;
-  const LoadedScene loaded = loadScene(command.scene, command.overrides);
+  const LoadedScene loaded = loadScene(command.scene, overridesOf(command));
   const Scene& scene = loaded.scene;
   for (const auto& warning : loaded.warnings) std::cerr << warning << '\n';
+  warnOfMissingUvs(command.options, scene);
   checkCrop(command.options.crop, scene.camera);
   checkError(command, scene.sampler);
   checkMemory(command, scene.camera);
@@ -208,13 +217,23 @@ ExitCode run(const RenderCommand& command) {
   if (Interruption::noted()) throw interrupted(nothing);
 
   FilmState state = stateOf(command, stateFile, scene.camera);
+  std::optional<DisplayServer> display;
+  if (command.displayServer) display.emplace(*command.displayServer, wanted.string());
   if (!command.quiet) std::cout << "Configuration: " << describe(scene) << "\nRendering .. ";
   flushStandardOutput();  // better now than after a long render
+  std::optional<WindowReport> window;
+  const Crop film =
+      command.options.crop.value_or(Crop{0, 0, scene.camera.width, scene.camera.height});
+  if (viewed != nullptr)
+    window.emplace(*viewed, wanted.string(), film.x1 - film.x0, film.y1 - film.y0,
+                   scene.sampler.sampleCount);
   const auto renderStart = Clock::now();
-  const Image image = render(command, scene, renderer.get(), state, stats);
+  const Image image = render(command, scene, renderer.get(), state, stats,
+                             display ? &*display : nullptr, window ? &*window : nullptr);
   const double renderSeconds = since(renderStart);
+  if (window) window->end(image, stats);
   const Reached& reached = stats.reached;
-  const bool whole = reached.wholeRows == image.height;
+  const bool whole = reached.wholeRows == image.height && reached.unfinished == 0;
   if (!command.quiet)
     std::cout << fmt::format("{}. (took {})\n", whole ? "done" : "stopped",
                              timeText(renderSeconds));
@@ -232,9 +251,6 @@ ExitCode run(const RenderCommand& command) {
                              exr.string());
   writePictures(exr, image, metadataOf(scene, stats, renderSeconds, whole),
                 command.options.threads);
-  if (!stats.adaptive.samples.pixels.empty())
-    writeExr(std::filesystem::path(exr).replace_extension(".samples.exr").string(),
-             stats.adaptive.samples, {}, command.options.threads);
   const bool sobol = scene.sampler.kind == Sampler::Kind::Sobol;
   const std::string goOn =
       leaveState(command, stateFile, state, !whole || (command.resume && sobol));
@@ -244,9 +260,19 @@ ExitCode run(const RenderCommand& command) {
   writeStats(command, stats);
   flushStandardOutput();
   if (whole) return ExitCode::Ok;
-  throw interrupted(fmt::format("with {} of {} samples a pixel in {} of {} rows; see \"{}\"{}",
+  const std::string beside =
+      reached.unfinished == 0 ? "" : fmt::format(", {} layers unfinished", reached.unfinished);
+  throw interrupted(fmt::format("with {} of {} samples a pixel in {} of {} rows{}; see \"{}\"{}",
                                 reached.samples, scene.sampler.sampleCount, reached.rows,
-                                image.height, exr.string(), goOn));
+                                image.height, beside, exr.string(), goOn));
+}
+
+}  // namespace
+
+ExitCode run(const RenderCommand& command) {
+  if (!command.gui) return run(command, nullptr);
+  return runInWindow(command.scene + " - laver",
+                     [&](ViewedPictures& viewed) { return run(command, &viewed); });
 }
 
 }  // namespace laver

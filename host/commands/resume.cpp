@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <iostream>
 #include <sstream>
 
 #include "core/error.h"
@@ -96,6 +98,39 @@ void writeState(const std::filesystem::path& file, const FilmState& state, unsig
   for (const auto& [name, value] : texts(state)) attributes[kPrefix + name] = value;
   attributes[kPrefix + kHash] = hashOf(state);
   writeExr(file.string(), state.sums, attributes, threads);
+}
+
+namespace {
+
+/// Sums of larger films, of 2 GiB, are kept only where that is asked for.
+constexpr std::int64_t kMostPixelsKept = 1 << 26;
+
+}  // namespace
+
+FilmState stateOf(const RenderCommand& command, const std::filesystem::path& file,
+                  const Camera& camera) {
+  using Keep = FilmState::Keep;
+  if (command.resume) {
+    std::error_code ignored;
+    const bool there = std::filesystem::exists(file, ignored);
+    if (!command.quiet && there) std::cout << fmt::format("Going on from \"{}\"\n", file.string());
+    if (!command.quiet && !there)
+      std::cout << fmt::format("No \"{}\": rendering from the first sample\n", file.string());
+    return there ? readState(file) : FilmState(Keep::Always);
+  }
+  const bool fits = std::int64_t{camera.width} * camera.height <= kMostPixelsKept;
+  return FilmState(!command.reference && fits ? Keep::WhenEnded : Keep::Nothing);
+}
+
+std::string leaveState(const RenderCommand& command, const std::filesystem::path& file,
+                       const FilmState& state, bool more) {
+  if (more && !state.empty()) {
+    writeState(file, state, command.options.threads);
+    return fmt::format("; --resume goes on from \"{}\"", file.string());
+  }
+  std::error_code ignored;
+  if (command.resume) std::filesystem::remove(file, ignored);
+  return {};
 }
 
 }  // namespace laver

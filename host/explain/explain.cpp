@@ -109,8 +109,7 @@ class Comparison {
       return;
     }
     if (!truth) {
-      const std::lock_guard lock(mutex_);
-      ++result_.samples;
+      background(film, x, y);
       return;
     }
     const Bounds bounds = bounds_.at(truth->triangle, truth->u, truth->v);
@@ -140,6 +139,21 @@ class Comparison {
     } else {
       put(2, x, y, litUlps, true, bounds.cause);
     }
+  }
+
+  /// Where both meet nothing: within rounding, or a ray within the bound sees as much more or less.
+  void background(dvec2 film, int x, int y) {
+    double off = 0, size = 0;
+    if (lit_) {
+      const dvec3 wanted = litReference_.radiance(film);
+      off = largest(pixelOf(radiance_, x, y) - wanted);
+      size = largest(wanted);
+    }
+    const bool within = off <= 16.0 * 0x1p-24 * size ||
+                        !litReference_.decided(film, bounds_.pixelsOfBackground(), 0.5 * off);
+    const std::lock_guard lock(mutex_);
+    ++result_.samples;
+    if (lit_ && litTruth_.environment) put(2, x, y, off / ulpOf(size), within, "background");
   }
 
   /// Does a ray within the bound meet that triangle, or is the hit as far away as the reference's,
@@ -204,8 +218,7 @@ std::uint64_t Explanation::unexcused() const {
 }
 
 Explanation explain(const Scene& scene, const Scene& judged, const VulkanOptions& vulkan) {
-  if (std::any_of(scene.meshes.begin(), scene.meshes.end(),
-                  [](const Mesh& mesh) { return mesh.sphere.has_value(); }))
+  if (hasSpheres(scene))
     throw Error(ExitCode::Usage,
                 fmt::format("--explain {}: it tells triangles apart, and the scene has a sphere",
                             scene.file));

@@ -1,6 +1,8 @@
 #include "reference/sphere.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace laver::reference {
@@ -39,6 +41,12 @@ bool crosses(const Ball& ball, const glm::dvec3& from, const glm::dvec3& to) {
   const auto both = crossings(ball, {from, to - from});
   const auto inside = [](long double t) { return t > 0.0L && t < 1.0L; };
   return both && (inside(both->first) || inside(both->second));
+}
+
+glm::dvec2 uvOf(const glm::dvec3& normal) {
+  constexpr double pi = std::numbers::pi;
+  return {0.5 + std::atan2(normal.y, normal.x) / (2.0 * pi),
+          0.5 + std::asin(std::clamp(normal.z, -1.0, 1.0)) / pi};
 }
 
 }  // namespace laver::reference

@@ -24,6 +24,10 @@ struct BallHit {
 /// centre, and the root that does not cancel.
 std::optional<BallHit> closest(const Ball& ball, const Ray& ray, double tmin, double tmax);
 
+/// Texture coordinates of the point with that normal: longitude from -x over -y, +x and +y, and
+/// latitude from -z, both taken to [0, 1]. At the poles u is 1/2.
+glm::dvec2 uvOf(const glm::dvec3& normal);
+
 /// Whether the line between two points crosses it.
 bool crosses(const Ball& ball, const glm::dvec3& from, const glm::dvec3& to);
 

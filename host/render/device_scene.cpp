@@ -43,6 +43,9 @@ DeviceScene::DeviceScene(const Device& device, const SceneData& data, const Rend
   uploadTexels(shared::BIND_MATERIALS, "materials", data.materials);
   uploadTexels(shared::BIND_LIGHTS, "lights", data.lights);
   uploadTexels(shared::BIND_JUMPS, "sampler tables", data.jumps);
+  uploadTexels(shared::BIND_TEXTURES, "textures", data.textures);
+  uploadTexels(shared::BIND_UVS, "texture coordinates", data.uvs, 0, VK_FORMAT_R32G32_UINT);
+  uploadTexels(shared::BIND_IMAGES, "pictures", data.images, 0, VK_FORMAT_R32_UINT);
 
   samples(shared::BIND_SAMPLES, shared::BIND_SAMPLE_TEXELS, plan.sampleSlots, 16,
           VK_FORMAT_R32G32B32A32_SFLOAT);
@@ -97,14 +100,15 @@ void DeviceScene::bindTexels(std::uint32_t binding, const Buffer& buffer, VkForm
 
 template <class T, class A>
 void DeviceScene::uploadTexels(std::uint32_t binding, const char* what,
-                               const std::vector<T, A>& data, VkDeviceSize zeros) {
-  static_assert(sizeof(T) % 16 == 0);
+                               const std::vector<T, A>& data, VkDeviceSize zeros, VkFormat format) {
+  const VkDeviceSize texel = format == kTexels ? 16 : sizeof(T);
+  static_assert(sizeof(T) % 16 == 0 || sizeof(T) == 8 || sizeof(T) == 4);
   // A kernel that does not read the binding still needs something bound there.
-  const VkDeviceSize bytes = std::max<VkDeviceSize>(data.size() * sizeof(T) + zeros, 3 * 16);
-  Buffer buffer(device_, what, Buffer::Use::Texels, notPowerOfTwo(bytes, 16));
+  const VkDeviceSize bytes = std::max<VkDeviceSize>(data.size() * sizeof(T) + zeros, 3 * texel);
+  Buffer buffer(device_, what, Buffer::Use::Texels, notPowerOfTwo(bytes, texel));
   if (zeros != 0) buffer.fillZero(data.size() * sizeof(T));
   if (!data.empty()) buffer.upload(std::as_bytes(std::span(data)));
-  bindTexels(binding, buffer, kTexels);
+  bindTexels(binding, buffer, format);
   buffers_.push_back(std::move(buffer));
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render/sampler_data.h"
+#include "render/texture_data.h"
 
 namespace laver {
 namespace {
@@ -45,14 +46,21 @@ std::uint32_t samplerConstant(Sampler::Kind kind) {
 }  // namespace
 
 SpecConstants specialise(const Scene& scene, const RenderOptions& options, bool generic) {
+  return specialise(scene, scene.integrator, options, generic);
+}
+
+SpecConstants specialise(const Scene& scene, Integrator shown, const RenderOptions& options,
+                         bool generic) {
   const auto& meshes = scene.meshes;
-  const bool shaded = scene.integrator == Integrator::DirectWhitted;
+  const bool shaded = shown == Integrator::DirectWhitted;
   const bool normals =
-      scene.integrator != Integrator::Depth &&
+      shown != Integrator::Depth && shown != Integrator::Albedo &&
       std::any_of(meshes.begin(), meshes.end(), [](const Mesh& m) { return !m.normals.empty(); });
-  const bool albedos = shaded && std::any_of(meshes.begin(), meshes.end(), [&](const Mesh& m) {
-                         return m.bsdf.albedo != meshes.front().bsdf.albedo;
-                       });
+  const bool coloured = shaded || shown == Integrator::Albedo;
+  const bool albedos =
+      coloured && std::any_of(meshes.begin(), meshes.end(), [&](const Mesh& m) {
+        return m.bsdf.albedo != meshes.front().bsdf.albedo || (m.bsdf.texture && meshes.size() > 1);
+      });
   SpecConstants constants{};
   constants[shared::SPEC_STACK] = kLikelyStack;
   constants[shared::SPEC_NORMALS] = normals || generic ? 1 : 0;
@@ -66,13 +74,10 @@ SpecConstants specialise(const Scene& scene, const RenderOptions& options, bool 
     constants[shared::SPEC_JUMP_LEVELS] = generic ? 3 : jumpLevels(scene.sampler.sampleCount);
   constants[shared::SPEC_FILTER] = filterConstant(scene.filter);
   constants[shared::SPEC_APRON] = apronOf(scene.filter.radius);
-  constants[shared::SPEC_SPHERES] =
-      generic || std::any_of(meshes.begin(), meshes.end(),
-                             [](const Mesh& m) { return m.sphere.has_value(); })
-          ? 1
-          : 0;
+  constants[shared::SPEC_SPHERES] = generic || hasSpheres(scene) ? 1 : 0;
   constants[shared::SPEC_NORI_TABLE] = options.noriCompat ? 1 : 0;
   constants[shared::SPEC_ADAPTIVE] = options.error > 0.0 ? 1 : 0;
+  specialiseTextures(scene, shown, generic, constants);
   return constants;
 }
 

@@ -15,6 +15,9 @@ using SpecConstants = std::array<std::uint32_t, shared::SPEC_CONSTANTS>;
 /// while the tree is built. The stack is a guess; requireStack corrects it. With `generic` the
 /// kernels are not specialised to the scene: for tests, which show that the picture keeps its bits.
 SpecConstants specialise(const Scene& scene, const RenderOptions& options, bool generic = false);
+/// The same for a picture of that scene that shows something else than its integrator says.
+SpecConstants specialise(const Scene& scene, Integrator shown, const RenderOptions& options,
+                         bool generic);
 
 /// Makes room for `entries` on the traversal stack; true if there was less.
 bool requireStack(SpecConstants& constants, std::uint32_t entries);

@@ -11,14 +11,27 @@ namespace {
 struct IntegratorName {
   Integrator integrator;
   const char* name;    // in the XML
-  const char* object;  // in the dump
+  const char* object;  // in the dump; nullptr: a layer, which no scene names
 };
 constexpr std::array kIntegrators = {
     IntegratorName{Integrator::Normals, "normals", "NormalIntegrator"},
     IntegratorName{Integrator::DirectWhitted, "direct_whitted", "DirectWhittedIntegrator"},
     IntegratorName{Integrator::Depth, "depth", "DepthIntegrator"},
     IntegratorName{Integrator::AverageVisibility, "av", "AverageVisibilityIntegrator"},
-    IntegratorName{Integrator::AmbientOcclusion, "ao", "AmbientOcclusionIntegrator"}};
+    IntegratorName{Integrator::AmbientOcclusion, "ao", "AmbientOcclusionIntegrator"},
+    IntegratorName{Integrator::ShadingNormal, "shading_normal", nullptr},
+    IntegratorName{Integrator::Albedo, "albedo", nullptr}};
+
+struct FilterName {
+  Filter::Kind kind;
+  const char* name;
+  double radius;  // pixels, as in objects.cpp
+};
+// In the order of Filter::Kind.
+constexpr std::array kFilters = {FilterName{Filter::Kind::Gaussian, "gaussian", 2.0},
+                                 FilterName{Filter::Kind::Mitchell, "mitchell", 2.0},
+                                 FilterName{Filter::Kind::Tent, "tent", 1.0},
+                                 FilterName{Filter::Kind::Box, "box", 0.5}};
 
 const IntegratorName& entry(Integrator integrator) {
   for (const IntegratorName& candidate : kIntegrators) {
@@ -102,16 +115,40 @@ std::string describeLight(const PointLight& light) {
                      triple(light.position), triple(light.radiance));
 }
 
+std::string describeTexture(const Texture& texture) {
+  const std::string place =
+      fmt::format("scale = [{:g}, {:g}], offset = [{:g}, {:g}]", texture.scale.x, texture.scale.y,
+                  plain(texture.offset.x), plain(texture.offset.y));
+  if (texture.kind == Texture::Kind::Checker)
+    return fmt::format("CheckerTexture[color1 = {}, color2 = {}, {}]", triple(texture.colors[0]),
+                       triple(texture.colors[1]), place);
+  return fmt::format("Texture[name = \"{}\", color = {}, {}]", texture.filename,
+                     triple(texture.colors[0]), place);
+}
+
+std::string describeAlbedo(const Diffuse& bsdf) {
+  return bsdf.texture ? describeTexture(*bsdf.texture) : triple(bsdf.albedo);
+}
+
+std::string describeEnvironment(const std::optional<Environment>& environment) {
+  if (!environment) return "null";
+  const std::string key = "    toWorld = ";
+  return fmt::format(
+      "EnvironmentEmitter[\n    radiance = {},\n    environment = \"{}\",\n{}{}\n  ]",
+      triple(environment->radiance), environment->filename, key,
+      rows(environment->toWorld, key.size()));
+}
+
 std::string describeMesh(const Mesh& mesh) {
   if (mesh.sphere)
     return fmt::format(
         "    Sphere[\n      center = {},\n      radius = {:g},\n"
         "      bsdf = Diffuse[\n        albedo = {}\n      ],\n      emitter = null\n    ]",
-        triple(mesh.sphere->centre), mesh.sphere->radius, triple(mesh.bsdf.albedo));
+        triple(mesh.sphere->centre), mesh.sphere->radius, describeAlbedo(mesh.bsdf));
   return fmt::format(
       "    Mesh[\n      name = \"{}\",\n      vertexCount = {},\n      triangleCount = {},\n"
       "      bsdf = Diffuse[\n        albedo = {}\n      ],\n      emitter = null\n    ]",
-      mesh.name, mesh.positions.size(), mesh.triangles.size(), triple(mesh.bsdf.albedo));
+      mesh.name, mesh.positions.size(), mesh.triangles.size(), describeAlbedo(mesh.bsdf));
 }
 
 template <class T>
@@ -130,7 +167,16 @@ const char* integratorName(Integrator integrator) { return entry(integrator).nam
 
 std::optional<Integrator> integratorFromName(const std::string& name) {
   for (const IntegratorName& candidate : kIntegrators) {
-    if (candidate.name == name) return candidate.integrator;
+    if (candidate.name == name && candidate.object != nullptr) return candidate.integrator;
+  }
+  return std::nullopt;
+}
+
+const char* filterName(Filter::Kind kind) { return kFilters[static_cast<std::size_t>(kind)].name; }
+
+std::optional<Filter> filterFromName(const std::string& name) {
+  for (const FilterName& candidate : kFilters) {
+    if (candidate.name == name) return Filter{candidate.kind, candidate.radius};
   }
   return std::nullopt;
 }
@@ -154,9 +200,9 @@ std::string describe(const Scene& scene) {
   // The missing comma behind the sampler is Nori's.
   std::string text = fmt::format(
       "Scene[\n  integrator = {},\n  sampler = {}\n  camera = {},\n  medium = null,\n"
-      "  envEmitter = null,\n",
+      "  envEmitter = {},\n",
       describeIntegrator(scene), describeSampler(scene.sampler),
-      describeCamera(scene.camera, scene.filter));
+      describeCamera(scene.camera, scene.filter), describeEnvironment(scene.environment));
   if (!scene.lights.empty()) {
     text += fmt::format("  emitters = {},\n", list(scene.lights, describeLight));
   }

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
@@ -6,10 +7,21 @@
 #include <string>
 #include <vector>
 
+#include "scene/texture.h"
+
 namespace laver {
 
-/// What a pixel shows.
-enum class Integrator { Normals, DirectWhitted, Depth, AverageVisibility, AmbientOcclusion };
+/// What a pixel shows. The last two are layers, which no scene names: the shading normal with its
+/// signs, and the albedo.
+enum class Integrator {
+  Normals,
+  DirectWhitted,
+  Depth,
+  AverageVisibility,
+  AmbientOcclusion,
+  ShadingNormal,
+  Albedo
+};
 
 /// Pinhole camera. Camera space: +x left, +y up, +z forward.
 struct Camera {
@@ -46,6 +58,7 @@ struct Sampler {
 /// Lambertian reflection.
 struct Diffuse {
   glm::dvec3 albedo{0.5};
+  std::optional<Texture> texture;  ///< stands for the albedo
 };
 
 /// Isotropic point light: radiance / distance^2 arrives at a surface.
@@ -70,6 +83,9 @@ struct Mesh {
   std::vector<glm::uvec3> triangles;   ///< indices into the above, in file order
   std::uint64_t droppedTriangles = 0;  ///< zero-area triangles left out at load
   Diffuse bsdf;
+
+  /// Triangles and spheres, which are numbered together.
+  std::size_t primitives() const { return sphere ? 1 : triangles.size(); }
 };
 
 /// A scene as plain data: no Vulkan, no file handles.
@@ -83,7 +99,13 @@ struct Scene {
   Sampler sampler;
   std::vector<Mesh> meshes;
   std::vector<PointLight> lights;
+  std::optional<Environment> environment;
 };
+
+inline bool hasSpheres(const Scene& scene) {
+  return std::any_of(scene.meshes.begin(), scene.meshes.end(),
+                     [](const Mesh& mesh) { return mesh.sphere.has_value(); });
+}
 
 /// What the command line changes in a scene before it is checked.
 struct SceneOverrides {
@@ -91,7 +113,10 @@ struct SceneOverrides {
   std::optional<Sampler::Kind> sampler;
   std::optional<std::uint32_t> sampleCount;
   std::optional<std::int64_t> seed;
-  std::optional<glm::ivec2> size;  ///< width, height in pixels
+  std::optional<glm::ivec2> size;      ///< width, height in pixels
+  bool shading = false;                ///< materials and lights are needed, whatever the integrator
+  bool noriCompat = false;             ///< textures of 8 and 16 bits are taken for linear
+  std::optional<Filter::Kind> filter;  ///< with the scene's parameters where it has that kind
 };
 
 /// A scene and what its reader should be told: one `file:line:col: warning: ...` line each.
@@ -100,8 +125,9 @@ struct LoadedScene {
   std::vector<std::string> warnings;
 };
 
-/// Reads a Nori XML scene and its meshes. Throws Error(ExitCode::Scene) whose text holds one
-/// `file:line:col: error: ...` line for every error found.
+/// Reads a Nori XML scene, its meshes and, where the integrator needs them, its pictures. Throws
+/// Error(ExitCode::Scene) whose text holds one `file:line:col: error: ...` line for every error
+/// found.
 LoadedScene loadScene(const std::string& file, const SceneOverrides& overrides = {});
 
 /// Nori's name of an integrator, as in the XML.
@@ -109,6 +135,12 @@ const char* integratorName(Integrator integrator);
 
 /// The integrator of that name, if laver has it.
 std::optional<Integrator> integratorFromName(const std::string& name);
+
+/// Nori's name of a filter, as in the XML.
+const char* filterName(Filter::Kind kind);
+
+/// The filter of that name with the parameters that the XML may leave out, if laver has it.
+std::optional<Filter> filterFromName(const std::string& name);
 
 /// The same of a sampler.
 const char* samplerName(Sampler::Kind kind);

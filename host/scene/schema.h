@@ -25,7 +25,8 @@ struct MeshDraft {
   std::string filename;
   glm::dmat4 toWorld{1.0};
   Diffuse bsdf;
-  std::optional<Sphere> sphere;  ///< then there is no file
+  std::size_t textureOffset = 0;  ///< of its texture's tag
+  std::optional<Sphere> sphere;   ///< then there is no file
 };
 
 /// A scene while it is read.
@@ -34,6 +35,7 @@ struct Draft {
   Scene scene;
   std::vector<MeshDraft> meshes;
   std::vector<PointLight> meshLights;  ///< they come after the scene's own
+  std::size_t environmentOffset = 0;   ///< of its tag
 };
 
 /// An object that laver has: what it takes and what it does to the scene. `parent` is the tag that
@@ -93,5 +95,7 @@ std::vector<std::string_view> knownTags();
 
 /// Whether an integrator looks at materials and lights.
 bool shades(Integrator integrator);
+/// Whether something that is rendered of the scene does.
+bool needsShading(const Draft& draft);
 
 }  // namespace laver::xml

@@ -140,7 +140,9 @@ void Buffer::fillZero(VkDeviceSize from) const {
 }
 
 Handle<VkBufferView> Buffer::texelView(VkFormat format) const {
-  const VkDeviceSize texel = format == VK_FORMAT_R32_SFLOAT ? 4 : 16;
+  const VkDeviceSize texel = format == VK_FORMAT_R32_SFLOAT || format == VK_FORMAT_R32_UINT ? 4
+                             : format == VK_FORMAT_R32G32_UINT                              ? 8
+                                                                                            : 16;
   Device::requireLimit("maxTexelBufferElements", bytes_ / texel,
                        device_->limits().maxTexelBufferElements);
   VkBufferViewCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO};

@@ -8,6 +8,11 @@ namespace laver::bench {
 
 inline constexpr int kBlock = 32;
 
+/// Pixel i of a block that is walked 4 x 4 pixels at a time.
+inline glm::ivec2 placeInBlock(int i) {
+  return {i / 16 % 8 * 4 + i % 4, i / 16 / 8 * 4 + i / 4 % 4};
+}
+
 /// Embree leaves alone what all rays have in common.
 struct EmbreePass::Chunk {
   explicit Chunk(const shared::Params& params) {

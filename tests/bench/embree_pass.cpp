@@ -20,20 +20,16 @@ void store(const T& from, T& to) {
     _mm256_stream_ps(out + i, _mm256_load_ps(in + i));
 }
 
-/// Pixel i of a block that is walked 4 x 4 pixels at a time.
-glm::ivec2 placeInBlock(int i) { return {i / 16 % 8 * 4 + i % 4, i / 16 / 8 * 4 + i / 4 % 4}; }
-
 }  // namespace
 
-EmbreePass::EmbreePass(const SceneData& data, std::uint32_t samples)
-    : params_(data.params), shadows_(!data.lights.empty()) {
+EmbreePass::EmbreePass(const SceneData& data, std::uint32_t samples, std::vector<glm::vec3> albedos)
+    : params_(data.params), lights_(data.lights), albedos_(std::move(albedos)) {
   const auto width = params_.film.x, height = params_.film.y;
-  if (width % kBlock != 0 || height % 4 != 0 || data.lights.size() > 1 ||
-      data.constants[shared::SPEC_NORMALS] != 0 || data.constants[shared::SPEC_ALBEDOS] != 0)
+  if (width % kBlock != 0 || height % 4 != 0 || data.constants[shared::SPEC_NORMALS] != 0 ||
+      (data.constants[shared::SPEC_ALBEDOS] != 0 && albedos_.empty()))
     throw Error(ExitCode::Scene,
-                "the bench's scenes have one light, one albedo, no normals and a "
-                "film of whole 32 x 4 pixels");
-  if (shadows_) light_ = data.lights.front();
+                "Embree's side takes scenes without vertex normals and a film of whole 32 x 4 "
+                "pixels");
   seed_ = params_.seed.x | std::uint64_t{params_.seed.y} << 32;
   // As host/render/sampler_data.cpp numbers Nori's stream: four numbers a sample, and one step
   // that ends the seeding.
@@ -110,16 +106,21 @@ void EmbreePass::trace(const EmbreeCall& call, Chunk& c, Clock& clock, Result& r
   int hits = 0;
   for (const unsigned id : c.rays.hit.geomID) hits += id != RTC_INVALID_GEOMETRY_ID ? 1 : 0;
   result.hits += static_cast<std::uint64_t>(hits);
-  if (!shadows_) {
+  if (lights_.empty()) {
     shadeDepth(c);
     return;
   }
-  const int shadows = aimAtLight(c);
-  result.shadowRays += static_cast<std::uint64_t>(shadows);
-  since = clock.now();
-  if (shadows > 0) occluded(call.scene, call.width, context, c.live, c.shadow);
-  clock.add(since);
-  shadeLight(c);
+  for (auto* channel : {&c.out.red, &c.out.green, &c.out.blue})
+    std::fill(std::begin(*channel), std::end(*channel), 0.0F);
+  for (const shared::Light& light : lights_) {
+    const int shadows = aimAtLight(c, light);
+    result.shadowRays += static_cast<std::uint64_t>(shadows);
+    since = clock.now();
+    if (shadows > 0) occluded(call.scene, call.width, context, c.live, c.shadow);
+    clock.add(since);
+    shadeLight(c, light);
+  }
+  if (!albedos_.empty()) applyAlbedos(c);
 }
 
 void EmbreePass::traceBlock(const EmbreeCall& call, Block block, Chunk& c, Clock& clock,

@@ -7,6 +7,8 @@
 
 namespace laver::bench {
 
+class EmbreeFilm;
+
 /// How Embree is called.
 struct EmbreeCall {
   RTCScene scene;
@@ -25,10 +27,10 @@ class EmbreePass {
     std::uint64_t hits = 0, shadowRays = 0;
   };
 
-  /// Of a scene packed for `depth` or `direct_whitted` with one light, one albedo, no vertex
-  /// normals and a film of whole 32 x 4 pixels. At most `samples` a pixel in one pass. Throws
-  /// Error.
-  EmbreePass(const SceneData& data, std::uint32_t samples);
+  /// Of a scene packed for `depth` or `direct_whitted` without vertex normals and with a film of
+  /// whole 32 x 4 pixels; where meshes differ in albedo, `albedos` has it of each triangle. At most
+  /// `samples` a pixel in one pass. Throws Error.
+  EmbreePass(const SceneData& data, std::uint32_t samples, std::vector<glm::vec3> albedos = {});
 
   /// Samples [first, first + count) of each pixel. `clocked` reads a clock around each call.
   Result run(const EmbreeCall& call, std::uint32_t first, std::uint32_t count, unsigned threads,
@@ -36,6 +38,9 @@ class EmbreePass {
 
   /// Adds the latest pass, of `count` samples, to rgb sums in rows of pixels.
   void addTo(std::vector<float>& image, const EmbreeCall& call, std::uint32_t count) const;
+
+  /// Reconstructs the latest pass, of `count` samples, into a film.
+  void addTo(EmbreeFilm& film, const EmbreeCall& call, std::uint32_t count, unsigned threads) const;
 
  private:
   /// What a pass leaves of 16 samples.
@@ -51,13 +56,14 @@ class EmbreePass {
                 Chunk& chunk) const;
   Lanes lanesOf(bool together, std::size_t sample) const;
   void shadeDepth(Chunk& chunk) const;
-  int aimAtLight(Chunk& chunk) const;
-  void shadeLight(Chunk& chunk) const;
+  int aimAtLight(Chunk& chunk, const shared::Light& light) const;
+  void shadeLight(Chunk& chunk, const shared::Light& light) const;
+  void applyAlbedos(Chunk& chunk) const;
   void trace(const EmbreeCall& call, Chunk& chunk, Clock& clock, Result& result) const;
 
   shared::Params params_;
-  shared::Light light_{};
-  bool shadows_;
+  std::vector<shared::Light> lights_;
+  std::vector<glm::vec3> albedos_;  ///< empty: params_.albedo is that of all
   std::uint64_t seed_;
   // Jumps of the random stream from a 32 x 32 block's start, by pixel and by sample.
   std::vector<PcgJump> pixels_, samples_;

@@ -66,12 +66,12 @@ void EmbreePass::shadeDepth(Chunk& c) const {
   }
 }
 
-int EmbreePass::aimAtLight(Chunk& c) const {
+int EmbreePass::aimAtLight(Chunk& c, const shared::Light& source) const {
   const RTCRay16& ray = c.rays.ray;
   const RTCHit16& hit = c.rays.hit;
   int shadows = 0;
   RTCRay16& to = c.shadow;
-  const glm::vec3 light = light_.position;
+  const glm::vec3 light = source.position;
   for (int i = 0; i < 16; ++i) {
     const float nx = hit.Ng_x[i], ny = hit.Ng_y[i], nz = hit.Ng_z[i];
     const float n = 1.0F / std::sqrt(nx * nx + ny * ny + nz * nz);
@@ -99,13 +99,24 @@ int EmbreePass::aimAtLight(Chunk& c) const {
   return shadows;
 }
 
-void EmbreePass::shadeLight(Chunk& c) const {
-  const glm::vec3 power = glm::vec3(light_.radiance) * glm::vec3(params_.albedo);
+void EmbreePass::shadeLight(Chunk& c, const shared::Light& light) const {
+  const glm::vec3 albedo = albedos_.empty() ? glm::vec3(params_.albedo) : glm::vec3(1.0F);
+  const glm::vec3 power = light.radiance * albedo;
   for (int i = 0; i < 16; ++i) {
     const float seen = c.shadow.tfar[i] >= 0.0F ? c.factor[i] : 0.0F;
-    c.out.red[i] = power.x * seen;
-    c.out.green[i] = power.y * seen;
-    c.out.blue[i] = power.z * seen;
+    c.out.red[i] += power.x * seen;
+    c.out.green[i] += power.y * seen;
+    c.out.blue[i] += power.z * seen;
+  }
+}
+
+void EmbreePass::applyAlbedos(Chunk& c) const {
+  for (int i = 0; i < 16; ++i) {
+    const bool hit = c.rays.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
+    const glm::vec3 albedo = albedos_[hit ? c.rays.hit.primID[i] : 0];
+    c.out.red[i] *= albedo.x;
+    c.out.green[i] *= albedo.y;
+    c.out.blue[i] *= albedo.z;
   }
 }
 

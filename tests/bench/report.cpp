@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <fstream>
 
 #include "core/error.h"
@@ -24,15 +22,6 @@ std::string plain(const nlohmann::json& facts) {
 }
 
 }  // namespace
-
-double quantile(std::vector<double> values, double q) {
-  if (values.empty()) return 0.0;
-  std::sort(values.begin(), values.end());
-  const double rank = q * static_cast<double>(values.size() - 1);
-  const auto low = static_cast<std::size_t>(rank);
-  const std::size_t high = std::min(low + 1, values.size() - 1);
-  return std::lerp(values[low], values[high], rank - static_cast<double>(low));
-}
 
 void Report::section(const std::string& title, const nlohmann::json& facts) {
   sections_.push_back({{"title", title}, {"facts", facts}, {"timings", nlohmann::json::array()}});

@@ -4,10 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "chart/numbers.h"
+
 namespace laver::bench {
 
-/// Linear interpolation between ranks; q = 0.5 is the median.
-double quantile(std::vector<double> values, double q);
+using chart::quantile;
 inline double median(const std::vector<double>& values) { return quantile(values, 0.5); }
 
 /// Measurements, printed as they come and kept for a JSON file; at the end the figures wanted.

@@ -63,14 +63,26 @@ TEST_F(CommandLine, SchemaIsTextOrJson) {
 
 TEST_F(CommandLine, UsageErrorsAreOneLineAndExitTwo) {
   write("test.xml", kFirstScene);
-  for (const char* arguments :
-       {"", "--nonsense", "test.xml --size 12", "test.xml --size 12x", "test.xml --size axb",
-        "test.xml --crop 1,2,3", "test.xml --crop 0,0,5000,2 --device cpu",
-        "test.xml --crop 4,4,4,8 --device cpu", "test.xml --spp 0", "test.xml --spp -3",
-        "test.xml --integrator path_mis", "test.xml --sampler halton",
-        "test.xml -o picture.jpg --device cpu", "test.xml --device cpu --traversal magic",
-        "compare", "compare a.exr", "compare a.exr b.exr", "compare a.exr --explain test.xml",
-        "compare a.exr b.exr --explain test.xml"}) {
+  for (const char* arguments : {"",
+                                "--nonsense",
+                                "test.xml --size 12",
+                                "test.xml --size 12x",
+                                "test.xml --size axb",
+                                "test.xml --crop 1,2,3",
+                                "test.xml --crop 0,0,5000,2 --device cpu",
+                                "test.xml --crop 4,4,4,8 --device cpu",
+                                "test.xml --spp 0",
+                                "test.xml --spp -3",
+                                "test.xml --integrator path_mis",
+                                "test.xml --sampler halton",
+                                "test.xml --filter sinc",
+                                "test.xml -o picture.jpg --device cpu",
+                                "test.xml --device cpu --traversal magic",
+                                "compare",
+                                "compare a.exr",
+                                "compare a.exr b.exr",
+                                "compare a.exr --explain test.xml",
+                                "compare a.exr b.exr --explain test.xml"}) {
     const Outcome run = laver(arguments);
     EXPECT_EQ(run.code, 2) << arguments << ": " << run.err;
     const int warnings = run.err.find("warning") == std::string::npos ? 0 : 1;

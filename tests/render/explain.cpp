@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "render/harness.h"
 #include "render/scene_data.h"
 
 namespace laver::test {
@@ -52,6 +53,18 @@ Explanation explain(const Image& image, const Image& truth, const Scene& scene,
                        std::to_string(d);
     }
   return result;
+}
+
+void expectTraversalsMatch(const Scene& scene, double tolerance) {
+  VulkanOptions lane = cpuDevice(), packet = cpuDevice();
+  lane.traversal = "lane";
+  packet.traversal = "packet";
+  const Image image = render(scene, lane);
+  EXPECT_EQ(differingFloats(image, render(scene, packet)), 0U);
+  const Reference reference(scene);
+  const Explanation e = explain(image, reference.render(), scene, reference, tolerance);
+  EXPECT_EQ(e.unexplained, 0) << e.first;
+  EXPECT_LT(e.differing, image.width * image.height / 50);
 }
 
 }  // namespace laver::test

@@ -20,6 +20,9 @@ struct Explanation {
 Explanation explain(const Image& image, const Image& truth, const Scene& scene,
                     const Reference& reference, double tolerance);
 
+/// Both traversals give the same bits, equal to the reference but for samples near a decision.
+void expectTraversalsMatch(const Scene& scene, double tolerance);
+
 /// The kernels' rays and vertices are rounded to float. At a film of w pixels and T = tan(fov / 2)
 /// a pixel is 2 T / w in the ray's slope; rounding of film position, camera columns, vertices and
 /// barycentrics moves a hit by about 16 * 2^-24 (|o| + 1) / distance in slope at most, in scenes

@@ -21,18 +21,6 @@ Scene insideABall(Integrator integrator) {
   return scene;
 }
 
-void expectMatch(const Scene& scene) {
-  VulkanOptions lane = cpuDevice(), packet = cpuDevice();
-  lane.traversal = "lane";
-  packet.traversal = "packet";
-  const Image image = render(scene, lane);
-  EXPECT_EQ(differingFloats(image, render(scene, packet)), 0U);
-  const Reference reference(scene);
-  const Explanation e = explain(image, reference.render(), scene, reference, 1e-4);
-  EXPECT_EQ(e.unexplained, 0) << e.first;
-  EXPECT_LT(e.differing, image.width * image.height / 50);
-}
-
 double mean(const Image& image) {
   double sum = 0;
   for (const float v : image.pixels) sum += static_cast<double>(v);
@@ -45,7 +33,7 @@ TEST(Occlusion, EveryLengthEqualsTheReference) {
   for (const double length : {1e-30, 1e-6, 1e-3, 0.1, 0.7, 2.0, 1e30}) {
     SCOPED_TRACE(length);
     scene.avLength = length;
-    expectMatch(scene);
+    expectTraversalsMatch(scene, 1e-4);
     const double now = mean(render(scene));
     EXPECT_LE(now, before);
     before = now;
@@ -59,7 +47,7 @@ TEST(Occlusion, AmbientOcclusionInTheOpen) {
   Scene scene = insideABall(Integrator::AmbientOcclusion);
   scene.meshes.erase(scene.meshes.begin());
   scene.meshes.push_back(ball(12, 20, 0.2, glm::dvec3(1.0, 0.5, 0.4)));
-  expectMatch(scene);
+  expectTraversalsMatch(scene, 1e-4);
   EXPECT_GT(mean(render(scene)), 0.1);
 }
 

@@ -1,4 +1,7 @@
 // Spheres on the device against the reference, by both traversals.
+#include "chart/errors.h"
+#include "chart/methods/methods.h"
+#include "core/error.h"
 #include "explain/explain.h"
 #include "render/explain.h"
 #include "render/harness.h"
@@ -94,6 +97,45 @@ TEST(Spheres, UnderALightFromAfarAtAnyDistance) {
   }
 }
 
+Texture picture() {
+  Texture texture;
+  texture.kind = Texture::Kind::Image;
+  Bitmap bitmap(12, 8, {});
+  std::uint32_t random = 1;
+  for (Rgb8& pixel : bitmap.pixels)
+    for (auto& value : pixel)
+      value = static_cast<std::uint8_t>((random = random * 1664525 + 1013904223) >> 24);
+  texture.image = std::make_shared<const Picture>(std::move(bitmap));
+  return texture;
+}
+
+TEST(Spheres, TexturedTheyEqualTheReferenceAtTheSeamAndThePoles) {
+  Scene scene = someSpheres(Integrator::DirectWhitted);
+  // Around the camera, where all of it is seen, and unlit: its normals point outwards.
+  scene.meshes.push_back(sphere(glm::dvec3(0.0), 1.5, 0.0));
+  scene.meshes.back().bsdf.texture = picture();
+  for (std::size_t i = 0; i < scene.meshes.size() - 1; i += 2) {
+    Texture& texture = scene.meshes[i].bsdf.texture.emplace();
+    if (i % 4 == 0) texture = picture();
+    texture.scale = {4.0, 3.0};
+    texture.offset = {0.3, -0.2};
+  }
+  scene.meshes[21].bsdf.texture = picture();
+  int view = 0;
+  for (const glm::dvec3 forward : {glm::dvec3(-1, 0, 0), glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1),
+                                   glm::dvec3(0.6, 0.64, -0.48)}) {
+    SCOPED_TRACE(++view);
+    const glm::dvec3 side = glm::normalize(glm::cross(glm::dvec3(0.1, 0.9, 0.2), forward));
+    const glm::dvec4 eye = scene.camera.toWorld[3];
+    scene.camera.toWorld = glm::dmat4(glm::dvec4(side, 0), glm::dvec4(glm::cross(forward, side), 0),
+                                      glm::dvec4(forward, 0), eye);
+    scene.integrator = Integrator::DirectWhitted;
+    expectMatch(scene, view == 1);
+    scene.integrator = Integrator::Albedo;
+    expectMatch(scene);
+  }
+}
+
 TEST(Spheres, ScaledByAPowerOfTwoTheyKeepTheirBits) {
   Scene scene = someSpheres(Integrator::Normals);
   const Image image = render(scene);
@@ -112,14 +154,34 @@ TEST(Spheres, ScaledByAPowerOfTwoTheyKeepTheirBits) {
   EXPECT_EQ(differingFloats(image, render(scene)), 0U);
 }
 
-TEST(Spheres, AreNotExplainedAndSaidSo) {
+TEST(Spheres, AChartTellsMismatchesOnThem) {
+  // One all around, so that the smooth inside fills the film.
+  Scene scene;
+  scene.integrator = Integrator::Depth;
+  scene.meshes = {sphere(glm::dvec3(0.2, 0.1, 0.0), 2.0, 0.0)};
+  scene.camera.width = scene.camera.height = 12;
+  const Reference reference(scene);
+  const Image truth = reference.render();
+  EXPECT_EQ(chart::mismatchesOf(truth, truth, scene, reference, 0).pixels, 0U);
+  Image image = truth;
+  image.at(6, 7, 0) *= 1.1F;
+  const chart::Mismatches m = chart::mismatchesOf(image, truth, scene, reference, 0);
+  EXPECT_EQ(m.pixels, 1U);
+  EXPECT_EQ(m.unexcused, 1U);
+}
+
+TEST(Spheres, AreNotExplainedNorTracedByChartedMethodsAndSaidSo) {
   const Scene scene = someSpheres(Integrator::Normals);
-  try {
-    laver::explain(scene, scene, cpuDevice());
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ExitCode::Usage);
-  }
+  const auto codeOf = [](const auto& call) {
+    try {
+      call();
+    } catch (const Error& error) {
+      return error.code();
+    }
+    return ExitCode::Ok;
+  };
+  EXPECT_EQ(codeOf([&] { laver::explain(scene, scene, cpuDevice()); }), ExitCode::Usage);
+  EXPECT_EQ(codeOf([&] { chart::chartMethods(scene, "cpu", 1, {}); }), ExitCode::Usage);
 }
 
 }  // namespace

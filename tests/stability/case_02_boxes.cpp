@@ -4,6 +4,7 @@
 
 #include <atomic>
 
+#include "chart/methods/quantise.h"
 #include "stability/exact.h"
 #include "stability/meshes.h"
 #include "stability/naive.h"
@@ -36,7 +37,7 @@ std::vector<TreeBox> treeBoxes(float offset) {
     triangles.push_back({a + offset, id, b + offset, 0, c + offset, 0});
   }
   const Bvh grown = buildBvh(triangles);
-  const Bvh tight = naive::withTightBoxes(grown);
+  const Bvh tight = chart::withTightBoxes(grown);
   std::vector<TreeBox> boxes;
   for (std::size_t n = 0; n < grown.nodes.size(); ++n)
     for (std::size_t c = 0; c < shared::NODE_WIDTH; ++c)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "chart/methods/quantise.h"
 #include "stability/meshes.h"
 #include "stability/naive.h"
 #include "stability/record.h"
@@ -62,7 +63,7 @@ glm::vec3 axisDirection(std::mt19937& random) {
 
 LAVER_STABILITY(03, AxisParallel, "Axis-parallel rays, origin on a face, through the BVH") {
   const ClosedMesh mesh = cube();
-  const Bvh tight = naive::withTightBoxes(mesh.bvh);
+  const Bvh tight = chart::withTightBoxes(mesh.bvh);
   std::vector<test::TestRay> rays(amount(full, 1ULL << 18, 1ULL << 21) / 64 * 64);
   std::mt19937 random(1);
   glm::vec3 origin(0.0F);

@@ -13,13 +13,18 @@
 namespace laver::stability {
 namespace {
 
+VulkanOptions by(const std::string& traversal) {
+  VulkanOptions vulkan;
+  vulkan.device = testDevice();
+  vulkan.traversal = traversal;
+  return vulkan;
+}
+
 LAVER_STABILITY(06, PowersOfTwo, "The scene scaled by 2^k: the same bits") {
   for (const char* name : {"bunny-whitted.xml", "cornell-two-lights.xml", "bunny-depth.xml"})
     for (const std::string traversal : {"lane", "packet"}) {
       const Scene scene = test::smallScene(name, 96, 2);
-      VulkanOptions vulkan;
-      vulkan.device = testDevice();
-      vulkan.traversal = traversal;
+      const VulkanOptions vulkan = by(traversal);
       const Image original = test::render(scene, vulkan);
       std::uint64_t floats = 0, naive = 0, differ = 0;
       for (int k = -20; k <= 20; k += full ? 1 : 8) {
@@ -42,9 +47,7 @@ LAVER_STABILITY(10, Sizes, "Scenes of size 1e-15 to 1e15") {
   for (const char* name : {"bunny-whitted.xml", "cornell-two-lights.xml"})
     for (const std::string traversal : {"lane", "packet"}) {
       const Scene scene = test::smallScene(name, 96, 1);
-      VulkanOptions vulkan;
-      vulkan.device = testDevice();
-      vulkan.traversal = traversal;
+      const VulkanOptions vulkan = by(traversal);
       const Image original = test::render(scene, vulkan);
       std::uint64_t pixels = 0, naive = 0, wrong = 0;
       for (const double size : {1e-15, 1e-9, 1e-3, 1e3, 1e9, 1e15}) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "stability/twin/walk.h"
-#include "unit/box.h"
 
 namespace laver::stability::naive {
 
@@ -49,34 +48,6 @@ bool slabs(vec3 origin, vec3 direction, vec3 lo, vec3 hi) {
     far = std::min(far, std::max(t0, t1));
   }
   return near <= far;
-}
-
-namespace {
-Box tighten(Bvh& bvh, std::uint32_t ref) {
-  Box box;
-  if (ref >= shared::REF_LEAF) {
-    std::uint32_t slot = ref & shared::REF_INDEX_MASK, more = 0;
-    do {
-      const shared::Triangle& t = bvh.triangles[slot++];
-      for (const vec3 corner : {t.a, t.b, t.c}) box.grow(corner);
-      more = t.more;
-    } while (more > 0);
-    return box;
-  }
-  for (shared::Child& child : bvh.nodes[ref].child) {
-    if (child.ref == shared::REF_NONE) continue;
-    const Box own = tighten(bvh, child.ref);
-    child.lo = own.lo;
-    child.hi = own.hi;
-    box.grow(own);
-  }
-  return box;
-}
-}  // namespace
-
-Bvh withTightBoxes(Bvh bvh) {
-  if (bvh.root != shared::REF_NONE) tighten(bvh, bvh.root);
-  return bvh;
 }
 
 bool meets(const Bvh& bvh, vec3 origin, vec3 direction, Method method) {

@@ -19,9 +19,6 @@ bool woopContracted(glm::vec3 origin, glm::vec3 direction, const shared::Triangl
 /// Slabs by (b - o) * (1 / d) with minimum and maximum.
 bool slabs(glm::vec3 origin, glm::vec3 direction, glm::vec3 lo, glm::vec3 hi);
 
-/// The tree with its boxes as tight as they were before the builder grew them.
-Bvh withTightBoxes(Bvh bvh);
-
 /// Whether any triangle is met, by moellerTrumbore() or woopContracted() in our boxes, or by
 /// moellerTrumbore() in slabs().
 enum class Method { MoellerTrumbore, WoopContracted, Slabs };

@@ -29,7 +29,7 @@ const std::map<std::string, Precise> kPrecise = {
     {"endsOf", {3, true}},
     {"plus", {7, true}},  // sphere.h: two-sum is all rounding errors
     {"plusProduct", {7, true}},
-    {"ballPointAt", {28, false}},  // sphere.h; Newton's steps may round as they like
+    {"ballPointAt", {28, false}},     // sphere.h; Newton's steps may round as they like
     {"blocksWay", {1, true}},         // triangle.h
     {"cosSinOfTurn", {24, false}},    // direction.h; not precise: which quarter turn is taken out
     {"sphereDirection", {7, true}},   // direction.h

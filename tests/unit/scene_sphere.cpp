@@ -79,6 +79,44 @@ TEST(ReferenceSphere, ShadesWhatIsBelowAndNotItself) {
   EXPECT_GT(seenAt(s, {0.5 + 0.25 * std::sin(1.4), 0, 0.25 * std::cos(1.4)}).x, 0.0);
 }
 
+TEST(ReferenceSphere, TextureCoordinatesAreLongitudeAndLatitudeOfTheNormal) {
+  using glm::dvec2;
+  using glm::dvec3;
+  const double h = std::sqrt(0.5);
+  const std::pair<dvec3, dvec2> cases[] = {{{1, 0, 0}, {0.5, 0.5}},   {{0, 1, 0}, {0.75, 0.5}},
+                                           {{0, -1, 0}, {0.25, 0.5}}, {{0, 0, 1}, {0.5, 1.0}},
+                                           {{0, 0, -1}, {0.5, 0.0}},  {{h, 0, h}, {0.5, 0.75}},
+                                           {{h, h, 0}, {0.625, 0.5}}, {{-h, h, 0}, {0.875, 0.5}}};
+  for (const auto& [n, uv] : cases) {
+    SCOPED_TRACE(testing::Message() << n.x << " " << n.y << " " << n.z);
+    Scene s = litSphere(Integrator::Albedo);
+    // Looking at that point, from some other side.
+    const dvec3 point = s.meshes[0].sphere->centre + 0.25 * n;
+    const dvec3 forward = -glm::normalize(n + dvec3(0.1, 0.2, 0.15));
+    const dvec3 side = glm::normalize(glm::cross(dvec3(0.3, 0.5, 0.7), forward));
+    s.camera.toWorld = glm::dmat4(glm::dvec4(side, 0), glm::dvec4(glm::cross(forward, side), 0),
+                                  glm::dvec4(forward, 0), glm::dvec4(point - 0.9 * forward, 1));
+    const dvec2 middle(32, 32);
+    const auto hit = Reference(s).centre(middle);
+    ASSERT_TRUE(hit);
+    EXPECT_NEAR(glm::distance(hit->position, point), 0.0, 1e-12);
+    EXPECT_NEAR(hit->distance, 0.9, 1e-12);
+    EXPECT_EQ(hit->mesh, 0U);
+    EXPECT_EQ(hit->triangle, 0U);
+    EXPECT_NEAR(hit->uv.y, uv.y, 1e-7);  // asin is steep at the poles
+    if (std::abs(n.z) < 1.0) {
+      EXPECT_NEAR(hit->uv.x, uv.x, 1e-12);
+    }
+    // The texture is looked up there.
+    s.meshes[0].bsdf.texture = Texture();
+    Texture& texture = *s.meshes[0].bsdf.texture;
+    texture.scale = {0.0, 5.0};
+    texture.offset = {0.0, 0.1};
+    const bool odd = static_cast<int>(uv.y * 5.0 + 0.1) % 2 != 0;
+    EXPECT_EQ(Reference(s).radiance(middle), texture.colors[odd ? 1 : 0]);
+  }
+}
+
 TEST(ReferenceSphere, FromInsideItIsSeenAllAround) {
   Scene s = litSphere(Integrator::Depth);
   s.camera = test::downCamera({0.5, 0, 0.0}, 120, 64);

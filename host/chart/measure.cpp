@@ -1,0 +1,92 @@
+#include "chart/measure.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstring>
+
+#include "chart/fingerprint.h"
+#include "core/error.h"
+
+namespace laver::chart {
+
+Measurer::Measurer(const Options& options, const Kept& kept)
+    : options_(options),
+      kept_(kept),
+      runner_((std::filesystem::path(options.folder) / "kept").string()) {
+  programs_["laver"] = {options.self, fingerprintOfFile(options.self)};
+  for (const Program& program : options.programs)
+    programs_[program.name] = {program.file, fingerprintOfFile(program.file)};
+  sceneKey_ =
+      fmt::format("{} {}x{}", fingerprintOfScene(options.scene), options.size.x, options.size.y);
+}
+
+std::string Measurer::keyOf(const Choice& choice) const {
+  return fmt::format("{} {} {} {} runs {}", programs_.at(choice.series.program).fingerprint,
+                     sceneKey_, fmt::join(commonArguments(), " "),
+                     fmt::join(choice.arguments(), " "), options_.runs);
+}
+
+std::string Measurer::keyOfMethods() const {
+  return fmt::format("{} methods {} {} runs {}", programs_.at("laver").fingerprint, sceneKey_,
+                     fmt::join(commonArguments(), " "), options_.runs);
+}
+
+std::vector<std::string> Measurer::commonArguments() const {
+  std::vector<std::string> list{options_.scene, "--size",
+                                fmt::format("{}x{}", options_.size.x, options_.size.y)};
+  if (!options_.device.empty()) list.insert(list.end(), {"--device", options_.device});
+  if (options_.threads != 0)
+    list.insert(list.end(), {"--threads", std::to_string(options_.threads)});
+  return list;
+}
+
+Run Measurer::runOnce(const std::string& program, const std::vector<std::string>& arguments) const {
+  throwIfStopped(options_);
+  auto run = runner_.run(programs_.at(program).file, arguments, options_.stop);
+  if (!run) throw Stopped{};
+  return std::move(*run);
+}
+
+nlohmann::json Measurer::renders(const Choice& choice) const {
+  auto arguments = commonArguments();
+  for (const std::string& argument : choice.arguments()) arguments.push_back(argument);
+  std::vector<double> pass, process;
+  double samples = 0;
+  for (std::size_t i = 0; i <= options_.runs; ++i) {
+    const Run run = runOnce(choice.series.program, arguments);
+    samples =
+        run.stats.value("/samples/total"_json_pointer, 0.0) / options_.size.x / options_.size.y;
+    if (i == 0) continue;  // warms caches up
+    const auto& seconds = run.stats["seconds"];
+    pass.push_back(seconds.value("trace", 0.0) + seconds.value("reconstruct", 0.0));
+    process.push_back(run.seconds);
+  }
+  const Image image = rgbOf(runner_.picture(), "the picture of " + choice.series.program);
+  if (image.width != options_.size.x || image.height != options_.size.y)
+    throw Error(ExitCode::Output, choice.series.program + " left a picture of another size");
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(image.pixels.data());
+  return {{"pass", pass},
+          {"process", process},
+          {"samples", samples},
+          {"pixels", nlohmann::json::binary(std::vector<std::uint8_t>(
+                         bytes, bytes + image.pixels.size() * sizeof(float)))}};
+}
+
+Measured Measurer::measure(const Choice& choice) const {
+  const std::string key = keyOf(choice);
+  auto found = kept_.read(key);
+  if (!found) {
+    found = renders(choice);
+    kept_.write(key, *found);
+  }
+  Measured measured{found->at("pass"), found->at("process"), found->at("samples"),
+                    rgbImage(options_.size.x, options_.size.y)};
+  const auto& bytes = found->at("pixels").get_binary();
+  if (bytes.size() != measured.image.pixels.size() * sizeof(float))
+    throw Error(ExitCode::Output, "a kept picture has another size");
+  std::memcpy(measured.image.pixels.data(), bytes.data(), bytes.size());
+  return measured;
+}
+
+}  // namespace laver::chart

@@ -1,0 +1,25 @@
+#pragma once
+#include <vector>
+
+#include "render/film_state.h"
+#include "render/passes.h"
+#include "render/renderings.h"
+
+namespace laver {
+
+/// What is rendered, and how it is cut.
+struct Film {
+  const SceneData& data;
+  const RenderPlan& plan;
+  const Scene& scene;
+  const RenderOptions& options;
+  Crop core;  ///< the picture's pixels; with adaptive sampling the plan's are more
+};
+
+/// All pictures of a scene, one after the other, in one image: bands outside, passes inside. Black
+/// where options.stop leaves no time for them. The kernel of the first has been taken. Goes on from
+/// the sums in `state`, and leaves there what its Keep says.
+Image renderPictures(Passes& passes, const Film& film, std::vector<Rendering> pictures,
+                     FilmState& state, Stats& stats);
+
+}  // namespace laver

@@ -1,0 +1,131 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
+// Ways to intersect, side by side, for the chart alone: one walk, one ray an invocation, with a
+// choice of triangle test, box test and form of nodes. What laver renders with is `ours` of each.
+#include "shared/charted.h"
+#include "shared/layout.h"
+#include "shared/point.h"
+#include "charted/boxes.glsl"
+#include "charted/triangles.glsl"
+
+layout(constant_id = CHARTED_SPEC_STACK) const uint STACK = 64;
+layout(constant_id = CHARTED_SPEC_QUANTISED) const bool QUANTISED = false;
+
+layout(local_size_x = 64) in;
+layout(binding = CHARTED_RAYS) uniform usamplerBuffer rayTexels;
+layout(binding = CHARTED_NODES) uniform usamplerBuffer nodeTexels;
+layout(binding = CHARTED_TRIANGLES) uniform usamplerBuffer triangleTexels;
+layout(binding = CHARTED_HITS) writeonly buffer HitBlock { vec4 hitOf[]; };
+layout(binding = CHARTED_IDS) writeonly buffer IdBlock { uint idOf[]; };
+layout(push_constant) uniform CountBlock { uvec4 count; };  // rays, reference of the root
+
+uint stackRef[STACK];
+float stackDepth[STACK];
+uint stackSize;
+
+vec3 texelVec3(uvec4 texel) { return uintBitsToFloat(texel.xyz); }
+
+// Quantised node (after Ylitie, Karras and Laine, "Efficient Incoherent Ray Traversal on GPUs
+// Through Compressed Wide BVHs", 2017): a texel with the origin and three exponents of 8 bits, then
+// a texel a child: lo and hi in steps of 2^exponent from the origin, 8 bits an axis; reference.
+vec3 steps(uint packed) { return vec3(packed & 255u, packed >> 8 & 255u, packed >> 16 & 255u); }
+
+uint pop(float last) {
+  uint ref = REF_NONE;
+  while (stackSize > 0u && ref == REF_NONE) {
+    stackSize--;
+    if (stackDepth[stackSize] <= last) ref = stackRef[stackSize];
+  }
+  return ref;
+}
+
+void pushChildren(WalkRay ray, uint node, float last) {
+  const int first = int(node * (QUANTISED ? NODE_WIDTH + 1u : NODE_WIDTH * 2u));
+  uvec4 head = uvec4(0u);
+  vec3 size = vec3(0.0);
+  if (QUANTISED) {
+    head = texelFetch(nodeTexels, first);
+    size = uintBitsToFloat(uvec3(head.w << 23, head.w >> 8 << 23, head.w >> 16 << 23) & 0x7f800000u);
+  }
+  [[unroll]] for (uint turn = 8u; turn-- > 0u;) {
+    const uint child = turn ^ ray.octant;
+    vec3 lo, hi;
+    uint ref;
+    if (QUANTISED) {
+      const uvec4 packed = texelFetch(nodeTexels, first + 1 + int(child));
+      precise vec3 low = texelVec3(head) + steps(packed.x) * size;
+      precise vec3 high = texelVec3(head) + steps(packed.y) * size;
+      lo = low;
+      hi = high;
+      ref = packed.z;
+    } else {
+      const uvec4 low = texelFetch(nodeTexels, first + int(child) * 2);
+      lo = texelVec3(low);
+      hi = texelVec3(texelFetch(nodeTexels, first + int(child) * 2 + 1));
+      ref = low.w;
+    }
+    const BoxSpan span = boxOf(ray, lo, hi);
+    if (span.near <= span.far && span.depth <= last && ref != REF_NONE) {
+      stackRef[stackSize] = ref;
+      stackDepth[stackSize] = span.depth;
+      stackSize++;
+    }
+  }
+}
+
+void main() {
+  const uint number = gl_GlobalInvocationID.x;
+  const bool live = number < count.x;
+  const int texel = int(live ? number : 0u) * 2;
+  const uvec4 start = texelFetch(rayTexels, texel), way = texelFetch(rayTexels, texel + 1);
+  const vec3 origin = texelVec3(start), direction = texelVec3(way);
+  const WalkRay ray = walkRay(origin, direction, uintBitsToFloat(start.w));
+  // Depths along the largest component of the direction, as everywhere.
+  float last = uintBitsToFloat(way.w) * ray.scale;
+  uint best = NO_HIT, bestId = NO_HIT;
+  vec3 found = vec3(0.0);
+  uint ref = live ? count.y : REF_NONE;
+  stackSize = 0u;
+  while (ref != REF_NONE) {
+    while (ref < REF_LEAF) {
+      pushChildren(ray, ref, last);
+      ref = pop(last);
+    }
+    while (ref >= REF_LEAF && ref != REF_NONE) {
+      uint slot = ref & REF_INDEX_MASK;
+      uint more;
+      do {
+        const uvec4 a = texelFetch(triangleTexels, int(slot) * 3);
+        const uvec4 b = texelFetch(triangleTexels, int(slot) * 3 + 1);
+        const uvec4 c = texelFetch(triangleTexels, int(slot) * 3 + 2);
+        const TriangleHit hit =
+            triangleHit(ray.shear, origin, direction, texelVec3(a), texelVec3(b), texelVec3(c));
+        if (hit.inside && hit.depth >= ray.first && hit.depth <= last &&
+            (hit.depth < last || a.w < bestId)) {
+          last = hit.depth;
+          best = slot;
+          bestId = a.w;
+        }
+        more = b.w;
+        slot++;
+      } while (more > 0u);
+      ref = pop(last);
+    }
+  }
+  if (!live) return;
+  vec4 result = vec4(0.0, 0.0, 0.0, last / ray.scale);
+  if (best != NO_HIT) {
+    const vec3 a = texelVec3(texelFetch(triangleTexels, int(best) * 3));
+    const vec3 b = texelVec3(texelFetch(triangleTexels, int(best) * 3 + 1));
+    const vec3 c = texelVec3(texelFetch(triangleTexels, int(best) * 3 + 2));
+    if (TRIANGLES == TRIANGLES_OURS) {
+      const Point p = pointAt(origin, direction, a, b, c, false);
+      result = vec4(p.geometric, p.t);
+    } else {
+      result.xyz = normalize(cross(b - a, c - a));
+    }
+  }
+  hitOf[number] = result;
+  idOf[number] = bestId;
+}

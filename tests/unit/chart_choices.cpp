@@ -1,0 +1,70 @@
+// What a chart renders.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "chart/choices.h"
+
+namespace laver::chart {
+namespace {
+
+bool has(const std::vector<std::string>& list, const std::string& option,
+         const std::string& value) {
+  const auto at = std::find(list.begin(), list.end(), option);
+  return at != list.end() && at + 1 != list.end() && *(at + 1) == value;
+}
+
+TEST(ChartChoices, EverySamplerMeetsEveryFilterOnce) {
+  Scene scene;
+  scene.filter = *filterFromName("mitchell");
+  const auto choices = choicesFor(scene, {{"embree", "file"}}, {"lane"}, 64);
+  std::set<std::tuple<std::string, std::uint32_t, double>> seen;
+  std::set<std::string> series;
+  for (const Choice& choice : choices) {
+    EXPECT_LE(choice.samples, 64U);
+    EXPECT_TRUE(seen.emplace(nameOf(choice.series), choice.samples, choice.error).second)
+        << nameOf(choice.series);
+    series.insert(nameOf(choice.series));
+    const auto arguments = choice.arguments();
+    EXPECT_TRUE(has(arguments, "--filter", filterName(choice.series.filter)));
+    EXPECT_TRUE(has(arguments, "--sampler", choice.series.sampler));
+    const auto most = choice.series.adaptive ? choice.most : choice.samples;
+    EXPECT_TRUE(has(arguments, "--spp", std::to_string(most)));
+    EXPECT_EQ(has(arguments, "--error", fmt::format("{}", choice.error)), choice.series.adaptive);
+    EXPECT_EQ(has(arguments, "--traversal", "lane"), choice.series.traversal == "lane");
+  }
+  for (const char* filter : {"box", "tent", "gaussian", "mitchell"}) {
+    for (const char* sampler : {"independent", "stratified", "sobol"})
+      EXPECT_TRUE(series.count(std::string(sampler) + ", " + filter));
+    EXPECT_TRUE(series.count(std::string("embree, independent, ") + filter));
+  }
+  // Adaptively, and by the other traversal, with the scene's own filter alone.
+  EXPECT_TRUE(series.count("independent adaptive, mitchell"));
+  EXPECT_TRUE(series.count("sobol adaptive, mitchell"));
+  EXPECT_TRUE(series.count("independent, mitchell, lane"));
+  EXPECT_FALSE(series.count("independent, box, lane"));
+  EXPECT_EQ(series.size(), 4U * 4U + 3U);
+}
+
+TEST(ChartChoices, TheScenesOwnFilterComesFirstAndKeepsItsNumbers) {
+  Scene scene;
+  scene.filter = {Filter::Kind::Gaussian, 3.0, 0.7, 0.0, 0.0};
+  const auto filters = filtersFor(scene);
+  ASSERT_EQ(filters.size(), 4U);
+  EXPECT_EQ(filters[0].stddev, 0.7);
+  EXPECT_EQ(filters[1].kind, Filter::Kind::Box);
+  EXPECT_EQ(filters[1].radius, 0.5);
+}
+
+TEST(ChartChoices, AdaptiveOnesAreAskedByTheirError) {
+  const Choice choice{{"laver", "sobol", Filter::Kind::Box, "", true}, 0, 0.005, 32};
+  EXPECT_TRUE(has(choice.arguments(), "--error", "0.005"));
+  EXPECT_TRUE(has(choice.arguments(), "--spp", "32"));
+  EXPECT_EQ(nameOf(choice.series), "sobol adaptive, box");
+}
+
+}  // namespace
+}  // namespace laver::chart
