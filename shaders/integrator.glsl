@@ -74,7 +74,9 @@ void main() {
       radiance[r] = texelFetch(sampleTexels, slot[r]).rgb;
   }
 
-  const Hits hits = closest(rays);
+  Hits hits;
+  FOR_RAYS (uint r = 0u; r < R; ++r) hits.slot[r] = NO_HIT;
+  if (HAS_HITS) hits = closest(rays);
   integrate(rays, hits, radiance);
 
   const bool last = LIGHTS != LIGHTS_MANY || pass.lights.w != 0u;

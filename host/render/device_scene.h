@@ -24,6 +24,8 @@ class DeviceScene {
   template <class T, class A>
   void uploadTexels(std::uint32_t binding, const char* what, const std::vector<T, A>& data,
                     VkDeviceSize zeros = 0);
+  void uploadTexels(std::uint32_t binding, const char* what, std::span<const std::byte> data,
+                    VkDeviceSize zeros, VkFormat format);
 
   const Device& device_;
   Bindings bindings_;

@@ -12,6 +12,7 @@
 #include "render/plan.h"
 #include "render/resolve.h"
 #include "render/stopwatch.h"
+#include "render/traversal.h"
 #include "render/vulkan_start.h"
 
 namespace laver {
@@ -25,16 +26,6 @@ std::uint32_t rowStride(std::uint32_t rows) {
 }
 
 std::uint32_t groups(std::uint32_t count, std::uint32_t size) { return (count + size - 1) / size; }
-
-/// A packet walks through all that its 64 rays see: with many triangles to a ray, rays by
-/// themselves are sooner done. A bunny of 1.1 million triangles at one sample a pixel, 1 and 17
-/// triangles to a ray: packets take 0.3 and 2.8 times as long as rays by themselves.
-bool tooDenseForPackets(std::uint64_t triangles, const Scene& scene) {
-  const std::uint64_t rays = static_cast<std::uint64_t>(scene.camera.width) *
-                             static_cast<std::uint64_t>(scene.camera.height) *
-                             std::min(scene.sampler.sampleCount, 16U);
-  return triangles > 5 * rays;
-}
 
 std::string traceName(Integrator integrator, const std::string& traversal) {
   return std::string(integratorName(integrator)) + "_" + traversal;
@@ -202,7 +193,7 @@ Renderer::Renderer(const VulkanOptions& options) : impl_(new Impl{options, {}}) 
 Renderer::~Renderer() = default;
 
 Image Renderer::render(const Scene& scene, const RenderOptions& options, Stats& stats) {
-  const SpecConstants constants = specialise(scene, options, impl_->options.generic);
+  const SpecConstants constants = generalise(specialise(scene, options), impl_->options.generic);
   std::uint64_t triangles = 0;
   for (const Mesh& mesh : scene.meshes) {
     triangles += mesh.triangles.size();

@@ -24,8 +24,9 @@ class MeshPacker {
   MeshPacker(const Scene& scene, SceneData& data) : scene_(scene), data_(data) {}
 
   std::vector<shared::Triangle> pack() {
+    if (data_.constants[shared::SPEC_HITS] == 0) return {};
+    if (hasNormals_) data_.normals.emplace_back(0.0F);  // NO_NORMAL's place
     for (const Mesh& mesh : scene_.meshes) add(mesh);
-    if (hasNormals_ && data_.normals.empty()) data_.normals.emplace_back(0.0F);
     return std::move(triangles_);
   }
 

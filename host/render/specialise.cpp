@@ -11,6 +11,16 @@ namespace {
 /// Entries that suffice for meshes of tens of thousands to a million triangles (48 to 63).
 constexpr std::uint32_t kLikelyStack = 64;
 
+/// The stack never holds more subtrees than there are triangles.
+std::uint32_t likelyStack(const Scene& scene) {
+  std::uint64_t triangles = 0;
+  for (const Mesh& mesh : scene.meshes) triangles += mesh.triangles.size();
+  return static_cast<std::uint32_t>(
+      std::clamp<std::uint64_t>((triangles + 7) / 8 * 8, 8, kLikelyStack));
+}
+
+}  // namespace
+
 std::uint32_t filterConstant(const Filter& filter) {
   switch (filter.kind) {
     case Filter::Kind::Gaussian: {
@@ -30,29 +40,57 @@ std::uint32_t filterConstant(const Filter& filter) {
   return shared::FILTER_BOX;
 }
 
-}  // namespace
-
-SpecConstants specialise(const Scene& scene, const RenderOptions& options, bool generic) {
+SpecConstants specialise(const Scene& scene, const RenderOptions& options) {
   const auto& meshes = scene.meshes;
   const bool shaded = scene.integrator == Integrator::DirectWhitted;
+  const bool hits = !shaded || !scene.lights.empty();
   const bool normals =
-      scene.integrator != Integrator::Depth &&
+      hits && scene.integrator != Integrator::Depth &&
       std::any_of(meshes.begin(), meshes.end(), [](const Mesh& m) { return !m.normals.empty(); });
-  const bool albedos = shaded && std::any_of(meshes.begin(), meshes.end(), [&](const Mesh& m) {
-                         return m.bsdf.albedo != meshes.front().bsdf.albedo;
-                       });
+  const bool albedos =
+      shaded && hits && std::any_of(meshes.begin(), meshes.end(), [&](const Mesh& m) {
+        return m.bsdf.albedo != meshes.front().bsdf.albedo;
+      });
   SpecConstants constants{};
-  constants[shared::SPEC_STACK] = kLikelyStack;
-  constants[shared::SPEC_NORMALS] = normals || generic ? 1 : 0;
-  constants[shared::SPEC_ALBEDOS] = albedos || generic ? 1 : 0;
-  constants[shared::SPEC_LIGHTS] =
-      generic || (shaded && scene.lights.size() > shared::LIGHTS_A_DISPATCH) ? shared::LIGHTS_MANY
-      : shaded && !scene.lights.empty()                                      ? shared::LIGHTS_FEW
-                                                                             : shared::LIGHTS_NONE;
-  constants[shared::SPEC_JUMP_LEVELS] = generic ? 3 : jumpLevels(scene.sampler.sampleCount);
+  constants[shared::SPEC_STACK] = likelyStack(scene);
+  constants[shared::SPEC_NORMALS] = normals ? 1 : 0;
+  constants[shared::SPEC_ALBEDOS] = albedos ? 1 : 0;
+  constants[shared::SPEC_LIGHTS] = !shaded || scene.lights.empty() ? shared::LIGHTS_NONE
+                                   : scene.lights.size() <= shared::LIGHTS_A_DISPATCH
+                                       ? shared::LIGHTS_FEW
+                                       : shared::LIGHTS_MANY;
+  constants[shared::SPEC_JUMP_LEVELS] = jumpLevels(scene.sampler.sampleCount);
   constants[shared::SPEC_FILTER] = filterConstant(scene.filter);
   constants[shared::SPEC_APRON] = apronOf(scene.filter.radius);
   constants[shared::SPEC_NORI_TABLE] = options.noriCompat ? 1 : 0;
+  constants[shared::SPEC_HITS] = hits ? 1 : 0;
+  constants[shared::SPEC_DARK_SIDES] = 0;
+  constants[shared::SPEC_INDEX_BYTES] = indexBytes(scene, normals);
+  return constants;
+}
+
+std::uint32_t indexBytes(const Scene& scene, bool normals) {
+  // Normal 0 is NO_NORMAL.
+  std::uint64_t last = scene.meshes.size();
+  std::uint64_t vertexNormals = 0;
+  for (const Mesh& mesh : scene.meshes) vertexNormals += mesh.normals.size();
+  if (normals) last = std::max(last, vertexNormals);
+  return last <= 0xff ? 1 : last <= 0xffff ? 2 : 4;
+}
+
+SpecConstants generalise(SpecConstants constants, std::uint32_t which) {
+  SpecConstants any = constants;
+  any[shared::SPEC_STACK] = std::max(kLikelyStack, constants[shared::SPEC_STACK]);
+  any[shared::SPEC_NORMALS] = any[shared::SPEC_ALBEDOS] = 1;
+  any[shared::SPEC_LIGHTS] = shared::LIGHTS_MANY;
+  any[shared::SPEC_JUMP_LEVELS] = 3;
+  any[shared::SPEC_FILTER] = shared::FILTER_AT_RUN_TIME;
+  // The widest that the faster gathering kernel takes.
+  any[shared::SPEC_APRON] = std::max(4U, constants[shared::SPEC_APRON]);
+  any[shared::SPEC_HITS] = any[shared::SPEC_DARK_SIDES] = 1;
+  any[shared::SPEC_INDEX_BYTES] = 4;
+  for (std::uint32_t c = 0; c < constants.size(); ++c)
+    if ((which >> c & 1U) != 0) constants[c] = any[c];
   return constants;
 }
 

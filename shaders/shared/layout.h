@@ -10,7 +10,7 @@ LAVER_SHARED_BEGIN
 LAVER_CONST uint BIND_PARAMS = 0;      // U Params
 LAVER_CONST uint BIND_NODES = 1;       // T Node
 LAVER_CONST uint BIND_TRIANGLES = 2;   // T Triangle
-LAVER_CONST uint BIND_ATTRIBUTES = 3;  // T Attributes, one a triangle
+LAVER_CONST uint BIND_ATTRIBUTES = 3;  // T Attributes, or their smaller form, one a triangle
 LAVER_CONST uint BIND_NORMALS = 4;     // T vec4, one a vertex normal
 LAVER_CONST uint BIND_MATERIALS = 5;   // T Material
 LAVER_CONST uint BIND_LIGHTS = 6;      // T Light
@@ -32,13 +32,17 @@ LAVER_CONST uint SPEC_JUMP_LEVELS = 4;   // 1 to 3 tables of the sampler are nee
 LAVER_CONST uint SPEC_FILTER = 5;        // FILTER_*
 LAVER_CONST uint SPEC_APRON = 6;         // pixels on each side that a sample can reach
 LAVER_CONST uint SPEC_NORI_TABLE = 7;    // filter weights from Nori's table
-LAVER_CONST uint SPEC_CONSTANTS = 8;
+LAVER_CONST uint SPEC_HITS = 8;          // what rays hit shows; else none is traced
+LAVER_CONST uint SPEC_DARK_SIDES = 9;    // shadow rays even where n.l <= 0: never needed
+LAVER_CONST uint SPEC_INDEX_BYTES = 10;  // of an index in Attributes: 1, 2 or 4; the host's alone
+LAVER_CONST uint SPEC_CONSTANTS = 11;
 
 LAVER_CONST uint FILTER_GAUSSIAN = 0;
 LAVER_CONST uint FILTER_MITCHELL = 1;
 LAVER_CONST uint FILTER_TENT = 2;
 LAVER_CONST uint FILTER_BOX = 3;
 LAVER_CONST uint FILTER_GAUSSIAN_NARROW = 4;  // whose weights filter.glsl makes by products
+LAVER_CONST uint FILTER_AT_RUN_TIME = 5;      // the one in params.filterArgs.w
 
 // The scene's lights: none, so few that one dispatch looks at all, or more. Those are summed in
 // further dispatches, so that an invocation stays far below lavapipe's 65,535 loop iterations.
@@ -95,8 +99,9 @@ struct Triangle {
   uint flipped;  // 1 if sorting turned the winding
 };
 
-// Normal indices are NO_NORMAL for a mesh without vertex normals. 1 texel.
-LAVER_CONST uint NO_NORMAL = 0xffffffffu;
+// Normal indices are NO_NORMAL for a mesh without vertex normals; no vertex has that one. 1 texel
+// of four numbers, or of one, the material, where the kernel reads no normals.
+LAVER_CONST uint NO_NORMAL = 0;
 struct Attributes {
   uint normalA, normalB, normalC;
   uint material;
@@ -131,7 +136,7 @@ struct Params {
   uvec4 film;      // width, height, samples a pixel, reference of the root
   uvec4 seed;      // low, high, -, -
   uvec4 jumps;     // first texel of the tables by sample (low, high part), samples of the low part
-  vec4 filterArgs; // radius and three numbers that filter.glsl explains
+  vec4 filterArgs; // radius, two numbers that filter.glsl explains, FILTER_*
   vec4 table[9];   // Nori's table, 33 entries, or for FILTER_GAUSSIAN_NARROW exp(alpha k^2)
 };
 
