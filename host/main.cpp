@@ -34,10 +34,9 @@ std::vector<int> integers(const std::string& option, const std::string& text, ch
   return values;
 }
 
-void addRenderOptions(CLI::App& app, RenderCommand& command) {
+/// The options that change how a scene is rendered.
+void addSceneOptions(CLI::App& app, SceneCommand& command) {
   app.add_option("scene", command.scene, "Nori scene, SCENE.xml")->type_name("SCENE.xml");
-  app.add_option("-o,--output,--outfile", command.output, "picture to write; a .png goes beside it")
-      ->type_name("OUT.exr");
   app.add_option("--spp", command.overrides.sampleCount, "samples a pixel")
       ->check(CLI::Range(1U, 1U << 20));
   app.add_option("--seed", command.overrides.seed, "seed of the sampler");
@@ -71,10 +70,16 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
       ->type_name("x0,y0,x1,y1");
   app.add_option("--device", command.vulkan.device, "index, part of the name, or cpu");
   app.add_option("--traversal", command.vulkan.traversal, "lane or packet");
-  app.add_flag("--reference", command.reference, "render in double precision on the CPU");
   app.add_flag("--nori-compat", command.options.noriCompat, "filter weights from Nori's table");
   app.add_option("-t,--threads", command.options.threads, "threads, 0 for all")
       ->check(CLI::Range(0U, 4096U));
+}
+
+void addRenderOptions(CLI::App& app, RenderCommand& command) {
+  addSceneOptions(app, command);
+  app.add_option("-o,--output,--outfile", command.output, "picture to write; a .png goes beside it")
+      ->type_name("OUT.exr");
+  app.add_flag("--reference", command.reference, "render in double precision on the CPU");
   app.add_flag("--validate", command.vulkan.validate, "make every validation message an error");
   app.add_flag_callback(
       "--stats", [&] { command.stats = true; },
@@ -125,6 +130,11 @@ int dispatch(int argc, char** argv) {
   compareApp->add_option("--out", compare.out, "folder for difference.exr and difference.png")
       ->type_name("DIR");
   const CLI::App* devicesApp = app.add_subcommand("devices", "Lists Vulkan devices");
+  PlanCommand plan;
+  CLI::App* planApp = app.add_subcommand(
+      "plan", "Prints how a scene would be rendered, what is left out and why, without rendering");
+  addSceneOptions(*planApp, plan);
+  planApp->add_flag("--json", plan.json, "print JSON");
   app.require_subcommand(0, 1);
 
   try {
@@ -143,6 +153,11 @@ int dispatch(int argc, char** argv) {
     return fail(ExitCode::Usage, "compare takes two pictures, or --explain SCENE.xml");
   if (compareApp->parsed()) return static_cast<int>(run(compare));
   if (devicesApp->parsed()) return static_cast<int>(runDevices());
+  if (planApp->parsed()) {
+    if (plan.scene.empty())
+      return fail(ExitCode::Usage, "plan takes a scene: laver plan SCENE.xml");
+    return static_cast<int>(run(plan));
+  }
   if (render.scene.empty()) return fail(ExitCode::Usage, "no scene given; see laver --help");
   return static_cast<int>(run(render));
 }

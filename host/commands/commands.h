@@ -10,17 +10,26 @@
 
 namespace laver {
 
-/// `laver SCENE.xml`.
-struct RenderCommand {
+/// A scene and how it is to be rendered.
+struct SceneCommand {
   std::string scene;
-  std::string output;  ///< EXR; empty: beside the scene
   SceneOverrides overrides;
   RenderOptions options;
   VulkanOptions vulkan;
+};
+
+/// `laver SCENE.xml`.
+struct RenderCommand : SceneCommand {
+  std::string output;  ///< EXR; empty: beside the scene
   bool reference = false;
   bool stats = false;
   std::string statsFile;
   bool quiet = false;
+};
+
+/// `laver plan SCENE.xml`.
+struct PlanCommand : SceneCommand {
+  bool json = false;
 };
 
 /// `laver compare A.exr B.exr`, or `laver compare --explain SCENE.xml`.
@@ -38,7 +47,11 @@ struct CompareCommand {
 /// after what there is has been written under another name.
 ExitCode run(const RenderCommand& command);
 ExitCode run(const CompareCommand& command);
+ExitCode run(const PlanCommand& command);
 /// `laver devices`.
 ExitCode runDevices();
+
+/// Throws Error(Usage) where a crop is not within the film.
+void checkCrop(const std::optional<Crop>& crop, const Camera& camera);
 
 }  // namespace laver

@@ -36,15 +36,6 @@ std::string timeText(double seconds) {
   return fmt::format("{:.1f}h", seconds / 3600.0);
 }
 
-void checkCrop(const std::optional<Crop>& crop, const Camera& camera) {
-  if (!crop) return;
-  if (crop->x0 < 0 || crop->y0 < 0 || crop->x1 > camera.width || crop->y1 > camera.height ||
-      crop->x0 >= crop->x1 || crop->y0 >= crop->y1)
-    throw Error(ExitCode::Usage,
-                fmt::format("--crop {},{},{},{}: expected 0 <= x0 < x1 <= {}, 0 <= y0 < y1 <= {}",
-                            crop->x0, crop->y0, crop->x1, crop->y1, camera.width, camera.height));
-}
-
 /// The picture and its files are made in memory; measured at 16384 x 16384: 20 bytes a pixel.
 void checkMemory(const RenderCommand& command, const Camera& camera) {
   const Crop film = command.options.crop.value_or(Crop{0, 0, camera.width, camera.height});
@@ -128,6 +119,15 @@ std::filesystem::path partial(std::filesystem::path exr) {
 Error interrupted(const std::string& what) { return {Interruption::code(), "interrupted " + what}; }
 
 }  // namespace
+
+void checkCrop(const std::optional<Crop>& crop, const Camera& camera) {
+  if (!crop) return;
+  if (crop->x0 < 0 || crop->y0 < 0 || crop->x1 > camera.width || crop->y1 > camera.height ||
+      crop->x0 >= crop->x1 || crop->y0 >= crop->y1)
+    throw Error(ExitCode::Usage,
+                fmt::format("--crop {},{},{},{}: expected 0 <= x0 < x1 <= {}, 0 <= y0 < y1 <= {}",
+                            crop->x0, crop->y0, crop->x1, crop->y1, camera.width, camera.height));
+}
 
 ExitCode run(const RenderCommand& command) {
   const auto start = Clock::now();
