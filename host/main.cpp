@@ -39,6 +39,11 @@ void addSceneOptions(CLI::App& app, SceneCommand& command) {
   app.add_option("scene", command.scene, "Nori scene, SCENE.xml")->type_name("SCENE.xml");
   app.add_option("--spp", command.overrides.sampleCount, "samples a pixel")
       ->check(CLI::Range(1U, 1U << 20));
+  app.add_option("--error", command.options.error,
+                 "adaptive sampling: stop where a pixel's standard error, 1 being white, is below "
+                 "E; --spp is the most a pixel gets")
+      ->type_name("E")
+      ->check(CLI::PositiveNumber & CLI::Range(0.0, 1e6));
   app.add_option("--seed", command.overrides.seed, "seed of the sampler");
   app.add_option_function<std::string>(
          "--integrator",
@@ -46,11 +51,21 @@ void addSceneOptions(CLI::App& app, SceneCommand& command) {
            command.overrides.integrator = integratorFromName(name);
            if (!command.overrides.integrator)
              throw CLI::ValidationError("--integrator",
-                                        "expected normals, direct_whitted or "
-                                        "depth, not " +
+                                        "expected normals, direct_whitted, depth, "
+                                        "av or ao, not " +
                                             name);
          },
-         "normals, direct_whitted or depth")
+         "normals, direct_whitted, depth, av or ao")
+      ->type_name("NAME");
+  app.add_option_function<std::string>(
+         "--sampler",
+         [&](const std::string& name) {
+           command.overrides.sampler = samplerFromName(name);
+           if (!command.overrides.sampler)
+             throw CLI::ValidationError("--sampler",
+                                        "expected independent, stratified or sobol, not " + name);
+         },
+         "independent, stratified or sobol")
       ->type_name("NAME");
   app.add_option_function<std::string>(
          "--size",
@@ -80,6 +95,8 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
   app.add_option("-o,--output,--outfile", command.output, "picture to write; a .png goes beside it")
       ->type_name("OUT.exr");
   app.add_flag("--reference", command.reference, "render in double precision on the CPU");
+  app.add_flag("--resume", command.resume,
+               "go on from OUT.state.exr if there is one, and leave one to go on from");
   app.add_flag("--validate", command.vulkan.validate, "make every validation message an error");
   app.add_flag_callback(
       "--stats", [&] { command.stats = true; },
@@ -135,6 +152,9 @@ int dispatch(int argc, char** argv) {
       "plan", "Prints how a scene would be rendered, what is left out and why, without rendering");
   addSceneOptions(*planApp, plan);
   planApp->add_flag("--json", plan.json, "print JSON");
+  CLI::App* schemaApp = app.add_subcommand("schema", "Lists all that a scene file may hold");
+  bool schemaJson = false;
+  schemaApp->add_flag("--json", schemaJson, "as JSON");
   app.require_subcommand(0, 1);
 
   try {
@@ -158,6 +178,7 @@ int dispatch(int argc, char** argv) {
       return fail(ExitCode::Usage, "plan takes a scene: laver plan SCENE.xml");
     return static_cast<int>(run(plan));
   }
+  if (schemaApp->parsed()) return static_cast<int>(runSchema(schemaJson));
   if (render.scene.empty()) return fail(ExitCode::Usage, "no scene given; see laver --help");
   return static_cast<int>(run(render));
 }

@@ -28,13 +28,13 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
                dotProduct(s.normal, rays.direction[r]) < 0.0;
       live[r] = DARK_SIDES ? hits.slot[r] != NO_HIT : lit[r];
       cosine[r] = along / sqrt(squared[r]);
-      const float side = dotProduct(s.geometric, toLight) < 0.0 ? -s.offset : s.offset;
-      points[r] = s.position + s.geometric * side;
+      points[r] = beside(s, toLight);
     }
     visible(light, points, live, seen);
     FOR_RAYS (uint r = 0u; r < R; ++r) {
       const vec3 irradiance = power / squared[r] * cosine[r];
-      if (seen[r] && lit[r]) radiance[r] += irradiance * albedoOf(surfaces[r]) * 0.31830989;
+      if (seen[r] && (lit[r] || !DARK_SIDES))
+        radiance[r] += irradiance * albedoOf(surfaces[r]) * 0.31830989;
     }
   }
 }

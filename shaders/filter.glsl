@@ -58,10 +58,12 @@ void filterWeights(float x, out float w[REACH]) {
       w[k] = filterWeight(x - (float(k) - float(APRON)));
     return;
   }
-  const float radius = params.filterArgs.x, alpha = params.filterArgs.y;
-  precise float up = expOf(-2.0 * alpha * x);
+  const float alpha = params.filterArgs.y;
+  const bool dropped = abs(x) > 1.0;
+  const float inside = dropped ? 0.0 : x;
+  precise float up = expOf(-2.0 * alpha * inside);
   precise float down = 1.0 / up;
-  precise float right = expOf(alpha * x * x), left = right;
+  precise float right = dropped ? 0.0 : expOf(alpha * inside * inside), left = right;
   w[APRON] = right;
   [[unroll]] for (uint k = 1u; k <= APRON; ++k) {
     right *= up;
@@ -70,10 +72,8 @@ void filterWeights(float x, out float w[REACH]) {
     w[APRON + k] = right * centre;
     w[APRON - k] = left * centre;
   }
-  [[unroll]] for (uint k = 0u; k < REACH; ++k) {
-    const float distance = abs(x - (float(k) - float(APRON)));
-    w[k] = distance <= radius && w[k] > params.filterArgs.z ? w[k] - params.filterArgs.z : 0.0;
-  }
+  // Beyond the radius a weight is below zero, as all are of a sample that is DROPPED.
+  [[unroll]] for (uint k = 0u; k < REACH; ++k) w[k] = max(w[k] - params.filterArgs.z, 0.0);
 }
 
 #endif

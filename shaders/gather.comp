@@ -5,12 +5,12 @@
 // present one reach, so that a sample is read once a column. Rows outer, GATHER_SAMPLES samples of
 // a pixel, columns inner; then one compensated sum (Neumaier's two-sum, Knuth TAOCP 4.2.2).
 #ifdef LAVER_PACKET
-#include "gather_packet.glsl"
+#include "gather_strip.glsl"
 #else
 #include "gather_lane.glsl"
 #endif
 
-layout(local_size_x = GATHER_GROUP) in;
+layout(local_size_x = GATHER_GROUP / COLUMNS) in;
 
 void addCompensated(uint at, vec4 x) {
   FilmPixel pixel = filmPixels[at];
@@ -23,24 +23,38 @@ void addCompensated(uint at, vec4 x) {
   filmPixels[at] = pixel;
 }
 
+// First column, number of the rows, samples of the pass.
+uvec3 stripOf() {
+  if (!ADAPTIVE) return uvec3(gl_GlobalInvocationID.x * COLUMNS, gl_WorkGroupID.y, pass.samples.y);
+  const uint column = groupNumber() * GATHER_GROUP + gl_LocalInvocationID.x * COLUMNS;
+  const uvec3 work = listedWork(column / STRIP_COLUMNS);
+  return uvec3(work.x * STRIP_COLUMNS + column % STRIP_COLUMNS, work.yz);
+}
+
 void main() {
   const int apron = int(APRON);
   const ivec2 core = ivec2(pass.core.zw);
   const ivec2 shift = ivec2(pass.core.xy) - ivec2(pass.region.xy);
-  const int column = int(gl_GlobalInvocationID.x);
-  const int first = int(gl_WorkGroupID.y * pass.tiles.x);
+  // Strips start where columns of stored samples do (sampleSlot).
+  const uvec3 strip = stripOf();
+  const int column = int(strip.x) - (shift.x & int(COLUMNS - 1u));
+  const int first = int(strip.y * pass.tiles.x);
   const int end = min(first + int(pass.tiles.x), core.y);
 
-  for (uint group = 0u; group < pass.samples.y; group += GATHER_SAMPLES) {
-    const uint groupEnd = min(group + GATHER_SAMPLES, pass.samples.y);
-    vec4 sums[REACH];  // of rows row - apron to row + apron
-    [[unroll]] for (uint k = 0u; k < REACH; ++k) sums[k] = vec4(0.0);
+  for (uint group = 0u; group < strip.z; group += GATHER_SAMPLES) {
+    const uint groupEnd = min(group + GATHER_SAMPLES, strip.z);
+    vec4 sums[COLUMNS][REACH];  // of rows row - apron to row + apron
+    [[unroll]] for (uint c = 0u; c < COLUMNS; ++c)
+      [[unroll]] for (uint k = 0u; k < REACH; ++k) sums[c][k] = vec4(0.0);
     for (int row = first - apron; row < end + apron; ++row) {
       for (uint s = group; s < groupEnd; ++s) addRow(sums, column + shift.x, row + shift.y, s);
       const int done = row - apron;
-      if (done >= first && column < core.x) addCompensated(uint(done * core.x + column), sums[0]);
-      [[unroll]] for (uint k = 1u; k < REACH; ++k) sums[k - 1u] = sums[k];
-      sums[REACH - 1u] = vec4(0.0);
+      [[unroll]] for (uint c = 0u; c < COLUMNS; ++c) {
+        const int x = column + int(c);
+        if (done >= first && x >= 0 && x < core.x) addCompensated(uint(done * core.x + x), sums[c][0]);
+        [[unroll]] for (uint k = 1u; k < REACH; ++k) sums[c][k - 1u] = sums[c][k];
+        sums[c][REACH - 1u] = vec4(0.0);
+      }
     }
   }
 }

@@ -1,14 +1,17 @@
-// Gathering on any device: an invocation reads all samples that it needs.
+// Gathering on any device: an invocation sums for one column and reads all samples that it needs.
 #ifndef LAVER_GATHER_LANE
 #define LAVER_GATHER_LANE
 #include "gathered.glsl"
 
+const uint COLUMNS = 1u;
+
 // Adds samples number s of a row of pixels to what they reach of column x of the region.
-void addRow(inout vec4 sums[REACH], int x, int row, uint s) {
+void addRow(inout vec4 sums[COLUMNS][REACH], int x, int row, uint s) {
   for (uint i = 0u; i < REACH; ++i) {
     float wx[REACH], wy[REACH];
-    const vec3 radiance = gathered(x + int(i) - int(APRON), row, s, wx, wy);
-    addSample(sums, radiance, wx[2u * APRON - i], wy);
+    const Gathered g = gathered(x + int(i) - int(APRON), row, s);
+    weigh(g, wx, wy);
+    addSample(sums[0], g.value.rgb, wx[2u * APRON - i], wy);
   }
 }
 

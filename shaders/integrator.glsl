@@ -1,6 +1,6 @@
 // The frame of a trace kernel: camera rays in, radiance and place of each sample out. An integrator
 // includes this file and defines integrate().
-#include "resources.glsl"
+#include "adaptive.glsl"
 #ifdef LAVER_PACKET
 #include "packet.glsl"
 #else
@@ -17,22 +17,30 @@ layout(local_size_x = 64 / R) in;
 // called once for every few of them (pass.lights).
 void integrate(Rays rays, Hits hits, inout vec3 radiance[R]);
 
-// Rows of tiles are permuted, so that threads that get one range of workgroups each get equal work.
-uvec2 tileOrigin() {
+// First pixel and sample of the workgroup's tile. Rows of tiles are permuted, so that threads that
+// get one range of workgroups each get equal work.
+uvec3 tileOrigin() {
+  if (ADAPTIVE) return listedWork(groupNumber());
   const uint row = gl_WorkGroupID.y * pass.tiles.y % pass.tiles.x;
-  return uvec2(gl_WorkGroupID.x, row) * (8u >> (pass.tiles.z >> 1));
+  return uvec3(uvec2(gl_WorkGroupID.x, row) * (8u >> (pass.tiles.z >> 1)),
+               pass.tiles.w + (gl_WorkGroupID.z << pass.tiles.z));
 }
 
 // Pixel of the region and sample of the pass that ray r of this invocation traces. Pixels of a tile
 // are in Morton order, so that neighbouring numbers, which are the rays of a lane, stay close.
-uvec3 rayPlace(uvec2 tile, uint r) {
+uvec3 rayPlace(uvec3 tile, uint r) {
   const uint number = gl_LocalInvocationIndex * R + r;
   const uint sampleNumber = number & ((1u << pass.tiles.z) - 1u);
   const uint m = number >> pass.tiles.z;
   const uvec2 inside = uvec2((m & 1u) | (m >> 1 & 2u) | (m >> 2 & 4u),
                              (m >> 1 & 1u) | (m >> 2 & 2u) | (m >> 3 & 4u));
-  return uvec3(tile + inside,
-               pass.tiles.w + (gl_WorkGroupID.z << pass.tiles.z) + sampleNumber);
+  return tile + uvec3(inside, sampleNumber);
+}
+
+// Two numbers in [0, 1) that belong to the sample of ray r.
+vec2 moreNumbers(uint r) {
+  const uvec3 place = rayPlace(tileOrigin(), r);
+  return aperturePosition(pass.region.xy + place.xy, pass.samples.x + place.z);
 }
 
 vec3 cameraDirection(vec2 film) {
@@ -52,7 +60,7 @@ bool usable(vec3 v) {
 }
 
 void main() {
-  const uvec2 tile = tileOrigin();
+  const uvec3 tile = tileOrigin();
   Rays rays;
   rays.origin = params.origin.xyz;
   vec3 radiance[R];
@@ -75,8 +83,11 @@ void main() {
   }
 
   Hits hits;
-  FOR_RAYS (uint r = 0u; r < R; ++r) hits.slot[r] = NO_HIT;
-  if (HAS_HITS) hits = closest(rays);
+  if (HAS_HITS) {
+    hits = closest(rays);
+  } else {
+    FOR_RAYS (uint r = 0u; r < R; ++r) hits.slot[r] = NO_HIT;
+  }
   integrate(rays, hits, radiance);
 
   const bool last = LIGHTS != LIGHTS_MANY || pass.lights.w != 0u;

@@ -115,10 +115,11 @@ uint closestLane(vec3 origin, vec3 direction, float tmin, float tmax, bool live)
 
 // Traced from the point: what lies near it decides, and rounding there must not grow with the
 // light's distance.
-bool visibleLane(vec3 light, vec3 point, bool live) {
-  const LaneRay ray = laneRay(point, light - point, 0.0);
+// `way` leads there, or, with no light, as far as is asked.
+bool visibleLane(vec3 point, vec3 way, bool lit, vec3 light, bool live) {
+  const LaneRay ray = laneRay(point, way, 0.0);
   // The light's own depth; the slack is the rounding of light - point.
-  const float last = alongAxis(abs(light - point), ray.shear.axis) * DEPTH_SLACK;
+  const float last = alongAxis(abs(way), ray.shear.axis) * DEPTH_SLACK;
   bool blocked = false;
   uint ref = live ? params.film.w : REF_NONE;
   stackSize = 0u;
@@ -136,7 +137,10 @@ bool visibleLane(vec3 light, vec3 point, bool live) {
         const vec3 a = permute(ray.shear, t.a);
         const vec3 n = crossProduct(permute(ray.shear, t.b) - a, permute(ray.shear, t.c) - a);
         const float lightSide = dotProduct(n, permute(ray.shear, light) - a);
-        blocked = blocked || blocks(ray.shear, last, n, lightSide, t.pa, t.pb, t.pc);
+        const bool between =
+            lit ? blocks(ray.shear, last, n, lightSide, t.pa, t.pb, t.pc)
+                : blocksWay(ray.shear, last, permute(ray.shear, way), n, t.pa, t.pb, t.pc);
+        blocked = blocked || between;
         more = blocked ? 0u : t.more;
         slot++;
       } while (more > 0u);
@@ -156,7 +160,13 @@ Hits closest(Rays rays) {
 }
 
 void visible(vec3 light, vec3 points[R], bool live[R], out bool seen[R]) {
-  for (uint r = 0u; r < R; ++r) seen[r] = visibleLane(light, points[r], live[r]);
+  for (uint r = 0u; r < R; ++r) 
+    seen[r] = visibleLane(points[r], light - points[r], true, light, live[r]);
+}
+
+void unoccluded(vec3 points[R], vec3 ways[R], bool live[R], out bool clear[R]) {
+  for (uint r = 0u; r < R; ++r)
+    clear[r] = visibleLane(points[r], ways[r], false, vec3(0.0), live[r]);
 }
 
 #endif

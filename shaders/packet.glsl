@@ -4,6 +4,7 @@
 // `lane` uses. A frustum holds every hit that `lane` accepts (padOf), so both find the same.
 #ifndef LAVER_PACKET_GLSL
 #define LAVER_PACKET_GLSL
+#include "packet_alone.glsl"
 #include "packet_walk.glsl"
 
 const float NEVER = -3.4e38;  // depth of a ray that takes no part

@@ -34,6 +34,10 @@ Hits closest(Rays rays);
 // seen[r] = nothing lies between the light and points[r]; false where not live.
 void visible(vec3 light, vec3 points[R], bool live[R], out bool seen[R]);
 
+// clear[r] = nothing lies between points[r] and points[r] + ways[r]; false where not live. No way
+// may be zero.
+void unoccluded(vec3 points[R], vec3 ways[R], bool live[R], out bool clear[R]);
+
 // Whether the driver has cut loops short without a word, as lavapipe does after 65,535 turns of all
 // loops of 8 lanes together: from there on each loop ends after a turn, and this one, which a kernel
 // runs last, tells. The compiler does not know how often it turns.

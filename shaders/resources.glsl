@@ -11,6 +11,8 @@ layout(constant_id = SPEC_JUMP_LEVELS) const uint JUMP_LEVELS = 3;
 layout(constant_id = SPEC_FILTER) const uint KNOWN_FILTER = FILTER_GAUSSIAN;
 layout(constant_id = SPEC_APRON) const uint APRON = 2;
 layout(constant_id = SPEC_NORI_TABLE) const bool NORI_TABLE = false;
+layout(constant_id = SPEC_SAMPLER) const uint SAMPLER = SAMPLER_INDEPENDENT;
+layout(constant_id = SPEC_ADAPTIVE) const bool ADAPTIVE = false;
 layout(constant_id = SPEC_HITS) const bool HAS_HITS = true;
 layout(constant_id = SPEC_DARK_SIDES) const bool DARK_SIDES = false;
 
@@ -35,18 +37,20 @@ layout(binding = BIND_FILM) buffer FilmBlock { FilmPixel filmPixels[]; };
 layout(binding = BIND_STATUS) buffer StatusBlock { Status status; };
 layout(binding = BIND_SAMPLE_TEXELS) uniform samplerBuffer sampleTexels;
 layout(binding = BIND_SAMPLE_Y_TEXELS) uniform samplerBuffer sampleYTexels;
+layout(binding = BIND_COUNTS) uniform usamplerBuffer countTexels;
+layout(binding = BIND_WORK) uniform usamplerBuffer workTexels;
 
 vec3 texelVec3(uvec4 texel) { return uintBitsToFloat(texel.xyz); }
 
-// Where sample s of region pixel (x, y) lies: in columns of 8 pixels, so that gathering goes
-// through memory from front to back.
+// Where sample s of region pixel (x, y) lies: in columns as wide as what a group gathers, so that it
+// goes through memory from front to back.
 int sampleSlot(uvec3 xys) {
   const bool whole = pass.samples.y >= GATHER_SAMPLES;
   const uint unit = whole ? GATHER_SAMPLES : pass.samples.y;
   const uint units = whole ? (pass.samples.y + GATHER_SAMPLES - 1u) / GATHER_SAMPLES : 1u;
   const uint number = whole ? xys.z / GATHER_SAMPLES : 0u;
-  const uint block = (xys.x / 8u * units + number) * pass.region.w + xys.y;
-  return int((block * unit + (xys.z - number * GATHER_SAMPLES)) * 8u + xys.x % 8u);
+  const uint block = (xys.x / GATHER_GROUP * units + number) * pass.region.w + xys.y;
+  return int((block * unit + (xys.z - number * GATHER_SAMPLES)) * GATHER_GROUP + xys.x % GATHER_GROUP);
 }
 
 #endif

@@ -42,6 +42,12 @@ Surface surfaceAt(vec3 origin, vec3 direction, uint slot) {
   return s;
 }
 
+// Where a ray that leaves along `way` begins: beside the surface by the rounding of that very point.
+vec3 beside(Surface s, vec3 way) {
+  const float side = dotProduct(s.geometric, way) < 0.0 ? -s.offset : s.offset;
+  return s.position + s.geometric * side;
+}
+
 vec3 albedoOf(Surface s) {
   if (!HAS_ALBEDOS) return params.albedo.rgb;
   return texelVec3(texelFetch(materialTexels, int(s.material)));

@@ -22,6 +22,7 @@ struct SceneCommand {
 struct RenderCommand : SceneCommand {
   std::string output;  ///< EXR; empty: beside the scene
   bool reference = false;
+  bool resume = false;  ///< keep the sums and go on from those that are there
   bool stats = false;
   std::string statsFile;
   bool quiet = false;
@@ -50,8 +51,10 @@ ExitCode run(const CompareCommand& command);
 ExitCode run(const PlanCommand& command);
 /// `laver devices`.
 ExitCode runDevices();
+/// `laver schema`.
+ExitCode runSchema(bool json);
 
-/// Throws Error(Usage) where a crop is not within the film.
-void checkCrop(const std::optional<Crop>& crop, const Camera& camera);
+/// Throws Error(Usage) where a scene cannot be rendered with such options.
+void checkOptions(const SceneCommand& command, const Scene& scene);
 
 }  // namespace laver

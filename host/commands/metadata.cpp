@@ -45,10 +45,15 @@ Metadata metadataOf(const Scene& scene, const Stats& stats, double renderSeconds
                        {"driver", stats.driver},
                        {"sceneHash", fileHash(scene.file)},
                        {"seed", std::to_string(scene.sampler.seed)},
+                       {"sampler", std::string(samplerName(scene.sampler.kind))},
                        {"renderTimeSeconds", renderSeconds},
                        {"samplesPerPixel", static_cast<int>(stats.reached.samples)},
                        {"worldToCamera", worldToCamera},
                        {"worldToNDC", cameraToNdc(scene.camera) * worldToCamera}};
+  if (stats.adaptive.error > 0.0) {
+    metadata["errorWanted"] = stats.adaptive.error;
+    metadata["samplesPerPixelAverage"] = stats.adaptive.average;
+  }
   if (!whole) {
     metadata["samplesPerPixelWanted"] = static_cast<int>(scene.sampler.sampleCount);
     metadata["rowsReached"] = stats.reached.rows;

@@ -10,7 +10,7 @@ namespace laver {
 ExitCode run(const PlanCommand& command) {
   const LoadedScene loaded = loadScene(command.scene, command.overrides);
   for (const auto& warning : loaded.warnings) std::cerr << warning << '\n';
-  checkCrop(command.options.crop, loaded.scene.camera);
+  checkOptions(command, loaded.scene);
   const Instance instance(false);
   const DeviceInfo device = deviceInfo(choosePhysicalDevice(instance, command.vulkan.device));
   const ScenePlan plan = planScene(loaded.scene, command.options, command.vulkan.traversal, device);

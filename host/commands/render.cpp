@@ -14,10 +14,12 @@
 #include "commands/interruption.h"
 #include "commands/metadata.h"
 #include "commands/progress.h"
+#include "commands/resume.h"
 #include "commands/standard_output.h"
 #include "image/atomic_file.h"
 #include "image/io.h"
 #include "reference/reference.h"
+#include "render/sample_map.h"
 
 namespace laver {
 namespace {
@@ -36,10 +38,22 @@ std::string timeText(double seconds) {
   return fmt::format("{:.1f}h", seconds / 3600.0);
 }
 
-/// The picture and its files are made in memory; measured at 16384 x 16384: 20 bytes a pixel.
+void checkError(const RenderCommand& command) {
+  if (command.options.error == 0.0) return;
+  if (command.reference)
+    throw Error(ExitCode::Usage, "--error: the reference takes as many samples as the scene says");
+  if (command.resume)
+    throw Error(ExitCode::Usage,
+                "--error: an adaptive render begins anew; --resume goes on only "
+                "where every pixel gets as many samples");
+}
+
+/// The picture and its files are made in memory; measured at 16384 x 16384: 20 bytes a pixel. Sums
+/// that are kept are 32 more, and their file as many again.
 void checkMemory(const RenderCommand& command, const Camera& camera) {
   const Crop film = command.options.crop.value_or(Crop{0, 0, camera.width, camera.height});
-  const std::uint64_t needed = 24 * static_cast<std::uint64_t>(film.x1 - film.x0) *
+  const std::uint64_t needed = (command.resume ? 88 : 24) *
+                               static_cast<std::uint64_t>(film.x1 - film.x0) *
                                static_cast<std::uint64_t>(film.y1 - film.y0);
   const std::uint64_t there = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
                               static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
@@ -86,12 +100,13 @@ void writeStats(const RenderCommand& command, const Stats& stats) {
 }
 
 /// Renders with `renderer`, or the reference where there is none.
-Image render(const RenderCommand& command, const Scene& scene, Renderer* renderer, Stats& stats) {
+Image render(const RenderCommand& command, const Scene& scene, Renderer* renderer, FilmState& state,
+             Stats& stats) {
   RenderOptions options = command.options;
   Progress progress(!command.quiet);
   options.progress = [&](double share) { progress.show(share); };
   options.stop = Interruption::noted;
-  if (renderer != nullptr) return renderer->render(scene, options, stats);
+  if (renderer != nullptr) return renderer->render(scene, options, state, stats);
   stats.device = "reference";
   stats.driver = "double precision on the CPU";
   stats.traversal = "reference";
@@ -116,22 +131,62 @@ std::filesystem::path partial(std::filesystem::path exr) {
   return exr.replace_extension(".partial.exr");
 }
 
+/// Sums of larger films, of 2 GiB, are kept only where that is asked for.
+constexpr std::int64_t kMostPixelsKept = 1 << 26;
+
+/// What there is to go on from, or what an ended render will leave.
+FilmState stateOf(const RenderCommand& command, const std::filesystem::path& file,
+                  const Camera& camera) {
+  using Keep = FilmState::Keep;
+  if (command.resume) {
+    std::error_code ignored;
+    const bool there = std::filesystem::exists(file, ignored);
+    if (!command.quiet && there) std::cout << fmt::format("Going on from \"{}\"\n", file.string());
+    if (!command.quiet && !there)
+      std::cout << fmt::format("No \"{}\": rendering from the first sample\n", file.string());
+    return there ? readState(file) : FilmState(Keep::Always);
+  }
+  const bool fits = std::int64_t{camera.width} * camera.height <= kMostPixelsKept;
+  return FilmState(!command.reference && fits ? Keep::WhenEnded : Keep::Nothing);
+}
+
+/// Writes the sums where a render can go on from them, and removes them where it cannot. Returns
+/// what to say about them.
+std::string leaveState(const RenderCommand& command, const std::filesystem::path& file,
+                       const FilmState& state, bool more) {
+  if (more && !state.empty()) {
+    writeState(file, state, command.options.threads);
+    return fmt::format("; --resume goes on from \"{}\"", file.string());
+  }
+  std::error_code ignored;
+  if (command.resume) std::filesystem::remove(file, ignored);
+  return {};
+}
+
 Error interrupted(const std::string& what) { return {Interruption::code(), "interrupted " + what}; }
 
 }  // namespace
 
-void checkCrop(const std::optional<Crop>& crop, const Camera& camera) {
-  if (!crop) return;
-  if (crop->x0 < 0 || crop->y0 < 0 || crop->x1 > camera.width || crop->y1 > camera.height ||
-      crop->x0 >= crop->x1 || crop->y0 >= crop->y1)
+void checkOptions(const SceneCommand& command, const Scene& scene) {
+  const Camera& camera = scene.camera;
+  if (const auto& crop = command.options.crop;
+      crop && (crop->x0 < 0 || crop->y0 < 0 || crop->x1 > camera.width ||
+               crop->y1 > camera.height || crop->x0 >= crop->x1 || crop->y0 >= crop->y1))
     throw Error(ExitCode::Usage,
                 fmt::format("--crop {},{},{},{}: expected 0 <= x0 < x1 <= {}, 0 <= y0 < y1 <= {}",
                             crop->x0, crop->y0, crop->x1, crop->y1, camera.width, camera.height));
+  if (command.options.error != 0.0 && mostOf(scene.sampler) == 0)
+    throw Error(ExitCode::Usage,
+                fmt::format("--error: {} samples a pixel are too few to choose from; --spp {} is "
+                            "the least",
+                            scene.sampler.sampleCount, shared::CELL_STEP));
 }
 
 ExitCode run(const RenderCommand& command) {
   const auto start = Clock::now();
   const Interruption interruption;
+  if (command.resume && command.reference)
+    throw Error(ExitCode::Usage, "--resume goes with Vulkan renders, not with --reference");
   std::unique_ptr<Renderer> renderer;
   if (!command.reference) {
     // lavapipe reads its thread count when it starts.
@@ -144,17 +199,21 @@ ExitCode run(const RenderCommand& command) {
   const LoadedScene loaded = loadScene(command.scene, command.overrides);
   const Scene& scene = loaded.scene;
   for (const auto& warning : loaded.warnings) std::cerr << warning << '\n';
-  checkCrop(command.options.crop, scene.camera);
+  checkOptions(command, scene);
+  checkError(command);
   checkMemory(command, scene.camera);
   const auto wanted = outputOf(command);
+  const auto stateFile = statePath(wanted);
+  if (command.resume) checkReplaceable(stateFile.string());
   stats.seconds.load = since(start);
   const char* const nothing = "before the first pass; nothing is written";
   if (Interruption::noted()) throw interrupted(nothing);
 
+  FilmState state = stateOf(command, stateFile, scene.camera);
   if (!command.quiet) std::cout << "Configuration: " << describe(scene) << "\nRendering .. ";
   flushStandardOutput();  // better now than after a long render
   const auto renderStart = Clock::now();
-  const Image image = render(command, scene, renderer.get(), stats);
+  const Image image = render(command, scene, renderer.get(), state, stats);
   const double renderSeconds = since(renderStart);
   const Reached& reached = stats.reached;
   const bool whole = reached.wholeRows == image.height;
@@ -175,15 +234,21 @@ ExitCode run(const RenderCommand& command) {
                              exr.string());
   writePictures(exr, image, metadataOf(scene, stats, renderSeconds, whole),
                 command.options.threads);
+  if (!stats.adaptive.samples.pixels.empty())
+    writeExr(std::filesystem::path(exr).replace_extension(".samples.exr").string(),
+             stats.adaptive.samples, {}, command.options.threads);
+  const bool sobol = scene.sampler.kind == Sampler::Kind::Sobol;
+  const std::string goOn =
+      leaveState(command, stateFile, state, !whole || (command.resume && sobol));
   stats.seconds.write = since(writeStart);
   stats.seconds.total = since(start);
   stats.peakBytes = peakBytes();
   writeStats(command, stats);
   flushStandardOutput();
   if (whole) return ExitCode::Ok;
-  throw interrupted(fmt::format("with {} of {} samples a pixel in {} of {} rows; see \"{}\"",
+  throw interrupted(fmt::format("with {} of {} samples a pixel in {} of {} rows; see \"{}\"{}",
                                 reached.samples, scene.sampler.sampleCount, reached.rows,
-                                image.height, exr.string()));
+                                image.height, exr.string(), goOn));
 }
 
 }  // namespace laver

@@ -23,6 +23,9 @@ void writeExr(const std::string& file, const Image& image, const Metadata& metad
 /// Throws Error(Usage) if it cannot be read, and for deep data and several parts.
 Image readExr(const std::string& file);
 
+/// The attributes of an EXR file that are texts, by name. Throws Error(Usage) if it is none.
+std::map<std::string, std::string> readExrTexts(const std::string& file);
+
 /// Writes R, G, B as 8-bit sRGB, clamped and rounded to nearest; replaced as writeExr does.
 void writePng(const std::string& file, const Image& image);
 void writePng(const std::string& file, const Bitmap& bitmap);

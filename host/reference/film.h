@@ -10,8 +10,9 @@
 
 namespace laver::reference {
 
-/// What film reconstruction asks for: radiance through a film position in pixels.
-using RadianceAt = std::function<glm::dvec3(glm::dvec2)>;
+/// What film reconstruction asks for: radiance through a film position in pixels, with the sample's
+/// two other numbers.
+using RadianceAt = std::function<glm::dvec3(glm::dvec2 film, glm::dvec2 numbers)>;
 
 /// Renders the crop, or the whole film: pixel = sum w value / sum w over the samples within the
 /// filter's radius of the pixel's centre on both axes, w the product of the axes' weights, and 0

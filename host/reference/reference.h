@@ -27,8 +27,9 @@ class Reference {
   Reference(Reference&&) noexcept;
   Reference& operator=(Reference&&) noexcept;
 
-  /// Radiance along the camera ray through `film`, in pixels from the top left.
-  glm::dvec3 radiance(glm::dvec2 film) const;
+  /// Radiance along the camera ray through `film`, in pixels from the top left. `numbers` in
+  /// [0, 1) choose a direction where the integrator draws one.
+  glm::dvec3 radiance(glm::dvec2 film, glm::dvec2 numbers = glm::dvec2(0.5)) const;
 
   /// The first hit of that ray between the clipping planes. Of hits at the same t the triangle
   /// of the smallest number wins, also where the copies list their corners differently.
@@ -38,10 +39,13 @@ class Reference {
   /// diagonally from `film` agrees with that at `film` to `tolerance` in every channel: no
   /// silhouette, tie or shadow boundary lies near, so that float rounding cannot excuse a
   /// difference. Features narrower than delta may pass between the nine. False on NaN.
-  bool decided(glm::dvec2 film, double delta, double tolerance) const;
+  bool decided(glm::dvec2 film, double delta, double tolerance,
+               glm::dvec2 numbers = glm::dvec2(0.5)) const;
 
   /// Film position of a sample of a pixel, as the scene's sampler draws it.
   glm::vec2 samplePosition(int x, int y, std::uint32_t sample) const;
+  /// The sample's other numbers, for radiance().
+  glm::vec2 sampleNumbers(int x, int y, std::uint32_t sample) const;
 
   /// Samples, reconstructs, and rounds to float at the very end. Throws Error(Usage) if the crop
   /// is empty or not inside the film.

@@ -7,12 +7,12 @@ namespace laver::reference {
 
 namespace {
 
-glm::dvec3 centreOf(const Scene& scene) {
+Box boxOf(const Scene& scene) {
   Box box;
   for (const Mesh& mesh : scene.meshes) {
     for (const glm::dvec3& position : mesh.positions) box.add(position);
   }
-  return box.lo.x <= box.hi.x ? 0.5 * box.lo + 0.5 * box.hi : glm::dvec3(0.0);
+  return box.lo.x <= box.hi.x ? box : Box{glm::dvec3(0.0), glm::dvec3(0.0)};
 }
 
 glm::dvec3 unit(const LongVec& vector) {
@@ -26,7 +26,7 @@ bool finite(const LongVec& v) {
 }  // namespace
 
 World::World(const Scene& scene, unsigned threads)
-    : scene_(&scene), centre_(centreOf(scene)), tree_(gather(), threads) {
+    : scene_(&scene), box_(boxOf(scene)), tree_(gather(), threads) {
   std::uint64_t count = 0;
   for (const Mesh& mesh : scene.meshes) {
     first_.push_back(count);
@@ -36,10 +36,11 @@ World::World(const Scene& scene, unsigned threads)
 
 std::vector<Triangle> World::gather() const {
   std::vector<Triangle> triangles;
+  const glm::dvec3 centre = this->centre();
   for (const Mesh& mesh : scene_->meshes) {
     for (const glm::uvec3& t : mesh.triangles) {
-      triangles.emplace_back(mesh.positions[t.x] - centre_, mesh.positions[t.y] - centre_,
-                             mesh.positions[t.z] - centre_,
+      triangles.emplace_back(mesh.positions[t.x] - centre, mesh.positions[t.y] - centre,
+                             mesh.positions[t.z] - centre,
                              static_cast<std::uint32_t>(triangles.size()));
     }
   }

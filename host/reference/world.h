@@ -26,7 +26,9 @@ class World {
   /// The scene must outlive it. `threads` host threads, 0: all.
   World(const Scene& scene, unsigned threads);
 
-  glm::dvec3 centre() const { return centre_; }
+  glm::dvec3 centre() const { return 0.5 * box_.lo + 0.5 * box_.hi; }
+  /// Farther than any two points of the meshes are apart.
+  double extent() const { return 2.0 * glm::length(box_.hi - box_.lo); }
   const Tree& tree() const { return tree_; }
   Surface surface(const TreeHit& hit) const;
 
@@ -36,15 +38,20 @@ class World {
 
   const Scene* scene_;
   std::vector<std::uint64_t> first_;  // number of each mesh's first triangle
-  glm::dvec3 centre_;
+  Box box_;
   Tree tree_;
 };
 
-/// Radiance that arrives along a camera ray, by the scene's integrator; 0 for a miss.
+/// Radiance that arrives along a camera ray, by the scene's integrator; 0 for a miss unless said.
+/// `numbers` in [0, 1) choose a direction.
 ///   normals         |n|, n the shading normal
 ///   direct_whitted  sum over point lights of radiance / r^2 * n.wi * albedo / pi, where
 ///                   n.wi > 0, n.wo > 0, r^2 > 0 and nothing lies between
 ///   depth           1 / distance from the camera, in world units
-glm::dvec3 radiance(const World& world, const Scene& scene, const CameraRay& camera);
+///   av              1 if nothing lies within the scene's avLength in a direction uniform on the
+///                   hemisphere of n, else 0; 1 for a miss
+///   ao              1 if nothing lies in a direction with density cosine / pi around n, else 0
+glm::dvec3 radiance(const World& world, const Scene& scene, const CameraRay& camera,
+                    glm::dvec2 numbers);
 
 }  // namespace laver::reference

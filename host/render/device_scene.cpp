@@ -10,6 +10,15 @@ namespace {
 
 constexpr VkFormat kTexels = VK_FORMAT_R32G32B32A32_UINT;
 
+/// lavapipe compiles a kernel anew when a texel buffer's size becomes or ceases to be a power of
+/// two: none is.
+VkDeviceSize notPowerOfTwo(VkDeviceSize bytes, VkDeviceSize texel) {
+  const VkDeviceSize texels = bytes / texel;
+  return (std::has_single_bit(texels) ? texels + 1 : texels) * texel;
+}
+
+}  // namespace
+
 std::array<VkDescriptorType, shared::BINDINGS> bindingTypes() {
   std::array<VkDescriptorType, shared::BINDINGS> types;
   types.fill(VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER);
@@ -21,21 +30,11 @@ std::array<VkDescriptorType, shared::BINDINGS> bindingTypes() {
   return types;
 }
 
-/// lavapipe compiles a kernel anew when a texel buffer's size becomes or ceases to be a power of
-/// two: none is.
-VkDeviceSize notPowerOfTwo(VkDeviceSize bytes, VkDeviceSize texel) {
-  const VkDeviceSize texels = bytes / texel;
-  return (std::has_single_bit(texels) ? texels + 1 : texels) * texel;
-}
-
-}  // namespace
-
 DeviceScene::DeviceScene(const Device& device, const SceneData& data, const RenderPlan& plan)
     : device_(device), bindings_(device, bindingTypes()) {
-  Buffer params(device, "parameters", Buffer::Use::Uniform, sizeof data.params);
-  params.upload(std::as_bytes(std::span(&data.params, 1)));
-  bindings_.bind(shared::BIND_PARAMS, params);
-  buffers_.push_back(std::move(params));
+  params_ = Buffer(device, "parameters", Buffer::Use::Uniform, sizeof data.params);
+  bindings_.bind(shared::BIND_PARAMS, params_);
+  upload(data.params);
 
   uploadTexels(shared::BIND_NODES, "BVH nodes", data.bvh.nodes);
   // A packet's lanes read a leaf's triangles and what follows, which must not be met.
@@ -58,6 +57,31 @@ DeviceScene::DeviceScene(const Device& device, const SceneData& data, const Rend
   status_ = Buffer(device, "status", Buffer::Use::Storage, sizeof(shared::Status));
   bindings_.bind(shared::BIND_STATUS, status_);
   status_.fillZero();
+  upload(std::span<const shared::Count>());
+  upload(std::span<const shared::Work>());
+}
+
+void DeviceScene::upload(const shared::Params& params) const {
+  params_.upload(std::as_bytes(std::span(&params, 1)));
+}
+
+void DeviceScene::upload(std::span<const shared::Count> counts) {
+  refill(counts_, shared::BIND_COUNTS, "sample counts", std::as_bytes(counts));
+}
+
+void DeviceScene::upload(std::span<const shared::Work> work) {
+  refill(work_, shared::BIND_WORK, "lists of work", std::as_bytes(work));
+}
+
+void DeviceScene::refill(Texels& texels, std::uint32_t binding, const char* what,
+                         std::span<const std::byte> data) {
+  const VkDeviceSize bytes = notPowerOfTwo(std::max<VkDeviceSize>(data.size(), 3 * 16), 16);
+  if (texels.buffer.bytes() < bytes) {
+    texels.buffer = Buffer(device_, what, Buffer::Use::Texels, bytes);
+    texels.view = texels.buffer.texelView(kTexels);
+    bindings_.bind(binding, texels.view.get());
+  }
+  if (!data.empty()) texels.buffer.upload(data);
 }
 
 void DeviceScene::samples(std::uint32_t written, std::uint32_t read, std::uint64_t slots,

@@ -1,5 +1,6 @@
 #pragma once
-#include <map>
+#include <array>
+#include <span>
 #include <vector>
 
 #include "render/plan.h"
@@ -7,6 +8,9 @@
 #include "vulkan/bindings.h"
 
 namespace laver {
+
+/// What each binding of layout.h is.
+std::array<VkDescriptorType, shared::BINDINGS> bindingTypes();
 
 /// Everything that one render keeps on the device, bound as shaders/shared/layout.h numbers it.
 class DeviceScene {
@@ -17,7 +21,19 @@ class DeviceScene {
   const Buffer& film() const { return film_; }
   const Buffer& status() const { return status_; }
 
+  /// New parameters for the dispatches that follow.
+  void upload(const shared::Params& params) const;
+  /// What adaptive sampling reads: the counts of a band's cells, and the work of a pass.
+  void upload(std::span<const shared::Count> counts);
+  void upload(std::span<const shared::Work> work);
+
  private:
+  struct Texels {
+    Buffer buffer;
+    Handle<VkBufferView> view;
+  };
+  void refill(Texels& texels, std::uint32_t binding, const char* what,
+              std::span<const std::byte> data);
   void samples(std::uint32_t written, std::uint32_t read, std::uint64_t slots, VkDeviceSize texel,
                VkFormat format);
   void bindTexels(std::uint32_t binding, const Buffer& buffer, VkFormat format);
@@ -31,7 +47,8 @@ class DeviceScene {
   Bindings bindings_;
   std::vector<Buffer> buffers_;
   std::vector<Handle<VkBufferView>> views_;
-  Buffer film_, status_;
+  Buffer params_, film_, status_;
+  Texels counts_, work_;
 };
 
 }  // namespace laver

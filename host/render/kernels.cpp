@@ -25,7 +25,7 @@ Kernels compileKernels(const Device& device, const std::string& traceName,
   smallest.sampleSlots = smallest.bandPixels = 3;  // no power of two, as DeviceScene has it
   const DeviceScene standIn(device, nothing, smallest);
   auto gather = std::async(std::launch::async, [&] {
-    // gather_packet.glsl says what it asks for.
+    // gather_strip.glsl says what it asks for.
     const bool packet =
         bestTraversal(device.info()) == "packet" && constants[shared::SPEC_APRON] <= 4;
     return compileKernel(device, standIn.bindings(), packet ? "gather_packet" : "gather_lane",

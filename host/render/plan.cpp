@@ -3,15 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
+
+#include "render/sample_map.h"
+#include "render/traversal.h"
 
 namespace laver {
-
-glm::uvec4 regionOf(Crop core, std::uint32_t apron, int width, int height) {
-  const int a = static_cast<int>(apron);
-  const int x0 = std::max(core.x0 - a, 0), x1 = std::min(core.x1 + a, width);
-  const int y0 = std::max(core.y0 - a, 0), y1 = std::min(core.y1 + a, height);
-  return {x0, y0, x1 - x0, y1 - y0};
-}
 
 namespace {
 
@@ -21,14 +18,30 @@ std::uint64_t gatherTurns(std::uint64_t rows, std::uint64_t apron) {
 }
 
 /// Long columns share most reads, short ones are many: a CPU wants the first.
-constexpr std::uint32_t kGatherRows = 32;
-/// Samples of a pixel that a pass takes if there is room, so that they are traced side by side.
-constexpr std::uint64_t kSideBySide = 16;
+constexpr std::uint32_t kGatherRows = 64;
+
+std::uint64_t roundedUp(std::uint64_t n, std::uint64_t unit) {
+  return (n + unit - 1) / unit * unit;
+}
 
 }  // namespace
 
+std::uint32_t rowStride(std::uint32_t rows) {
+  auto stride = std::max(1U, static_cast<std::uint32_t>(0.618 * rows));
+  while (std::gcd(stride, rows) != 1) ++stride;
+  return stride;
+}
+
+glm::uvec4 regionOf(Crop core, std::uint32_t apron, int width, int height) {
+  const int a = static_cast<int>(apron);
+  const int x0 = std::max(core.x0 - a, 0), x1 = std::min(core.x1 + a, width);
+  const int y0 = std::max(core.y0 - a, 0), y1 = std::min(core.y1 + a, height);
+  return {x0, y0, x1 - x0, y1 - y0};
+}
+
 RenderPlan planRender(const VkPhysicalDeviceLimits& limits, Crop core, int width, int height,
-                      std::uint32_t apron, std::uint32_t samples, std::uint64_t maxSlots) {
+                      std::uint32_t apron, std::uint32_t samples, std::uint64_t maxSlots,
+                      std::uint32_t sideBySide) {
   // 2^22 samples take 84 MB and fill a GPU; a dispatch of as many rays ends well within a
   // watchdog's seconds.
   std::uint64_t slots = maxSlots == 0 ? std::uint64_t{1} << 22 : maxSlots;
@@ -38,7 +51,7 @@ RenderPlan planRender(const VkPhysicalDeviceLimits& limits, Crop core, int width
                                  static_cast<std::uint64_t>(core.x1 - core.x0);
 
   const glm::uvec4 full = regionOf(core, apron, width, height);
-  const std::uint64_t a = apron, slotsARow = (full.z + 7) / 8 * 8;
+  const std::uint64_t a = apron, slotsARow = roundedUp(full.z, shared::GATHER_GROUP);
   const std::uint64_t unit = std::min(samples, shared::GATHER_SAMPLES);
   const std::uint64_t fewestRows = std::min<std::uint64_t>(2 * a + 1, full.w);
   const std::uint64_t smallest = slotsARow * fewestRows * unit;
@@ -62,30 +75,48 @@ RenderPlan planRender(const VkPhysicalDeviceLimits& limits, Crop core, int width
   const std::uint64_t most =
       std::min({std::uint64_t{shared::MAX_ITERATIONS} / turns, std::uint64_t{samples},
                 std::uint64_t{limits.maxComputeWorkGroupCount[2]}});
-  const auto passOf = [&](std::uint64_t regionRows) {
-    const std::uint64_t pass = std::min(slots / (slotsARow * regionRows), most);
-    return pass == samples ? pass : std::max(pass / unit * unit, unit);
-  };
 
   // Rows give way to samples side by side, but not below four times the rows that only overlap.
   const auto coreRows = static_cast<std::uint64_t>(core.y1 - core.y0);
-  const std::uint64_t wanted = std::min<std::uint64_t>(most, kSideBySide);
+  const std::uint64_t wanted = std::min<std::uint64_t>(most, sideBySide);
   std::uint64_t rows =
       std::max({slots / slotsARow / wanted, std::min(8 * a, slots / slotsARow / unit), fewestRows});
   rows = full.w <= rows ? coreRows : std::max<std::uint64_t>(rows, 2 * a + 1) - 2 * a;
   rows = std::max<std::uint64_t>(
       1, std::min({rows, coreRows, filmRows, std::uint64_t{limits.maxComputeWorkGroupCount[1]}}));
   const std::uint64_t regionRows = std::min<std::uint64_t>(rows + 2 * a, full.w);
-  const std::uint64_t pass = passOf(regionRows);
-  // Tiles of samples side by side are as small as two pixels.
-  Device::requireLimit("maxComputeWorkGroupCount[0]", (full.z + 1) / 2,
+  std::uint64_t pass = std::min(slots / (slotsARow * regionRows), most);
+  if (pass != samples) pass = std::max(pass / unit * unit, unit);
+  // Strips of equal length, since lavapipe gives each thread as many.
+  const std::uint64_t strips = (rows + gatherRows - 1) / gatherRows;
+  gatherRows = static_cast<std::uint32_t>((rows + strips - 1) / strips);
+  // Tiles of samples side by side are as small as one pixel, or two by two.
+  Device::requireLimit("maxComputeWorkGroupCount[0]", sideBySide == 64 ? full.z : (full.z + 1) / 2,
                        limits.maxComputeWorkGroupCount[0]);
   return {core,
           static_cast<std::uint32_t>(rows),
           static_cast<std::uint32_t>(pass),
-          slotsARow * regionRows * ((pass + unit - 1) / unit * unit),
+          slotsARow * regionRows * roundedUp(pass, unit),
           static_cast<std::uint64_t>(core.x1 - core.x0) * rows,
-          gatherRows};
+          gatherRows,
+          sideBySide};
+}
+
+RenderPlan planRender(const VkPhysicalDeviceLimits& limits, const Scene& scene,
+                      const RenderOptions& options, std::uint32_t apron, std::uint64_t maxSlots) {
+  const Camera& camera = scene.camera;
+  std::uint64_t triangles = 0;
+  for (const Mesh& mesh : scene.meshes) triangles += mesh.triangles.size();
+  Crop planned = coreOf(scene, options);
+  if (options.error != 0.0)
+    planned = pilotArea(cropOf(regionOf(planned, apron, camera.width, camera.height)), camera.width,
+                        camera.height);
+  return planRender(limits, planned, camera.width, camera.height, apron, scene.sampler.sampleCount,
+                    maxSlots, sideBySide(triangles, camera));
+}
+
+Crop coreOf(const Scene& scene, const RenderOptions& options) {
+  return options.crop.value_or(Crop{0, 0, scene.camera.width, scene.camera.height});
 }
 
 }  // namespace laver

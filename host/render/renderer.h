@@ -4,6 +4,7 @@
 #include <string>
 
 #include "image/image.h"
+#include "render/film_state.h"
 #include "render/stats.h"
 #include "scene/render_options.h"
 #include "scene/scene.h"
@@ -30,6 +31,10 @@ class Renderer {
   /// `validate`, the first message, and Error(Usage) for an unknown traversal. Fills `stats` but
   /// for loading and writing.
   Image render(const Scene& scene, const RenderOptions& options, Stats& stats);
+
+  /// The same, from the sums in `state` on, if there are some: the bits are those of a render in
+  /// one go. `state` takes what its Keep says. Throws Error(Usage) as FilmState::begin does.
+  Image render(const Scene& scene, const RenderOptions& options, FilmState& state, Stats& stats);
 
  private:
   struct Impl;

@@ -1,6 +1,7 @@
 #include "render/sampler_data.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace laver {
 namespace {
@@ -31,6 +32,27 @@ void appendTable(std::vector<shared::Jump>& table, std::uint64_t first, std::uin
   }
 }
 
+void packTables(std::uint32_t samples, SceneData& data) {
+  const std::uint32_t levels = data.constants[shared::SPEC_JUMP_LEVELS];
+  // By pixel of the block, with the step that ends PCG32's seeding.
+  appendTable(data.jumps, 1, kNumbersPerSample * samples, kBlockPixels);
+  const std::uint32_t low = std::min(samples, kLowSamples);
+  data.params.samplerArgs = {static_cast<std::uint32_t>(data.jumps.size()), 0, low, 0};
+  if (levels >= 2) appendTable(data.jumps, 0, kNumbersPerSample, low);
+  if (levels >= 3) {
+    data.params.samplerArgs.y = static_cast<std::uint32_t>(data.jumps.size());
+    appendTable(data.jumps, 0, kNumbersPerSample * low, (samples - 1) / low + 1);
+  }
+}
+
+/// Half a step of the finest grid whose points + half a step are exact in float on all of the film,
+/// in 2^-32 pixels; unitFloat() has 23 bits.
+std::uint32_t halfStep(const Camera& camera) {
+  const auto last = static_cast<std::uint32_t>(std::max(camera.width, camera.height) - 1);
+  const int bits = std::clamp(24 - static_cast<int>(std::bit_width(last)), 1, 23);
+  return 1U << (32 - bits);
+}
+
 }  // namespace
 
 PcgJump pcgJump(std::uint64_t steps) {
@@ -48,20 +70,23 @@ std::uint32_t jumpLevels(std::uint32_t samples) {
 }
 
 void packSampler(const Scene& scene, SceneData& data) {
-  const std::uint32_t samples = scene.sampler.sampleCount;
-  const std::uint32_t levels = data.constants[shared::SPEC_JUMP_LEVELS];
-  // By pixel of the block, with the step that ends PCG32's seeding.
-  appendTable(data.jumps, 1, kNumbersPerSample * samples, kBlockPixels);
-  const std::uint32_t low = std::min(samples, kLowSamples);
-  data.params.jumps = {static_cast<std::uint32_t>(data.jumps.size()), 0, low, 0};
-  if (levels >= 2) appendTable(data.jumps, 0, kNumbersPerSample, low);
-  if (levels >= 3) {
-    data.params.jumps.y = static_cast<std::uint32_t>(data.jumps.size());
-    appendTable(data.jumps, 0, kNumbersPerSample * low, (samples + low - 1) / low);
+  const Sampler& sampler = scene.sampler;
+  data.params.film.z = sampler.sampleCount;
+  packSeed(sampler.seed, data.params);
+  data.params.seed.w = halfStep(scene.camera);
+  if (sampler.kind == Sampler::Kind::Independent) packTables(sampler.sampleCount, data);
+  if (sampler.kind == Sampler::Kind::Stratified) {
+    const glm::uvec2 strata = strataOf(sampler.sampleCount);
+    const auto size = [](std::uint32_t count) {
+      return static_cast<std::uint32_t>((std::uint64_t{1} << 32) / count);
+    };
+    data.params.samplerArgs = {strata.y, size(strata.x), size(strata.y), 0};
   }
-  data.params.film.z = samples;
-  const auto seed = static_cast<std::uint64_t>(scene.sampler.seed);
-  data.params.seed = {halves(seed), 0, 0};
+}
+
+void packSeed(std::int64_t seed, shared::Params& params) {
+  const glm::uvec2 parts = halves(static_cast<std::uint64_t>(seed));
+  params.seed = {parts, parts.x ^ parts.y * 0x9e3779b9U, params.seed.w};
 }
 
 }  // namespace laver

@@ -93,6 +93,13 @@ void sortAttributes(SceneData& data, const std::vector<shared::Triangle>& inFile
   data.attributes = std::move(sorted);
 }
 
+/// How far av and ao look. Points of the scene lie in [-1, 1]^3, less than 4 apart; below 2^-100
+/// nothing is seen apart.
+float reachOf(const Scene& scene, const Normalisation& space) {
+  const bool av = scene.integrator == Integrator::AverageVisibility;
+  return av ? static_cast<float>(std::clamp(scene.avLength * space.scale, 0x1p-100, 4.0)) : 4.0F;
+}
+
 /// radiance / distance^2 keeps its value when distances are scaled, if radiance is by the square.
 shared::Light lightData(const PointLight& light, const Normalisation& space) {
   return {vec3(space.apply(light.position)), 0.0F,
@@ -143,6 +150,7 @@ SceneData packScene(const Scene& scene, const RenderOptions& options,
   if (!scene.meshes.empty())
     data.params.albedo = glm::vec4(vec3(scene.meshes.front().bsdf.albedo), 0.0F);
   data.params.film.w = data.bvh.root;
+  data.params.clip.w = reachOf(scene, data.space);
   return data;
 }
 

@@ -19,6 +19,18 @@ std::uint32_t likelyStack(const Scene& scene) {
       std::clamp<std::uint64_t>((triangles + 7) / 8 * 8, 8, kLikelyStack));
 }
 
+std::uint32_t samplerConstant(Sampler::Kind kind) {
+  switch (kind) {
+    case Sampler::Kind::Stratified:
+      return shared::SAMPLER_STRATIFIED;
+    case Sampler::Kind::Sobol:
+      return shared::SAMPLER_SOBOL;
+    case Sampler::Kind::Independent:
+      break;
+  }
+  return shared::SAMPLER_INDEPENDENT;
+}
+
 }  // namespace
 
 std::uint32_t filterConstant(const Filter& filter) {
@@ -59,10 +71,13 @@ SpecConstants specialise(const Scene& scene, const RenderOptions& options) {
                                    : scene.lights.size() <= shared::LIGHTS_A_DISPATCH
                                        ? shared::LIGHTS_FEW
                                        : shared::LIGHTS_MANY;
-  constants[shared::SPEC_JUMP_LEVELS] = jumpLevels(scene.sampler.sampleCount);
+  constants[shared::SPEC_SAMPLER] = samplerConstant(scene.sampler.kind);
+  if (scene.sampler.kind == Sampler::Kind::Independent)
+    constants[shared::SPEC_JUMP_LEVELS] = jumpLevels(scene.sampler.sampleCount);
   constants[shared::SPEC_FILTER] = filterConstant(scene.filter);
   constants[shared::SPEC_APRON] = apronOf(scene.filter.radius);
   constants[shared::SPEC_NORI_TABLE] = options.noriCompat ? 1 : 0;
+  constants[shared::SPEC_ADAPTIVE] = options.error > 0.0 ? 1 : 0;
   constants[shared::SPEC_HITS] = hits ? 1 : 0;
   constants[shared::SPEC_DARK_SIDES] = 0;
   constants[shared::SPEC_INDEX_BYTES] = indexBytes(scene, normals);
@@ -83,7 +98,8 @@ SpecConstants generalise(SpecConstants constants, std::uint32_t which) {
   any[shared::SPEC_STACK] = std::max(kLikelyStack, constants[shared::SPEC_STACK]);
   any[shared::SPEC_NORMALS] = any[shared::SPEC_ALBEDOS] = 1;
   any[shared::SPEC_LIGHTS] = shared::LIGHTS_MANY;
-  any[shared::SPEC_JUMP_LEVELS] = 3;
+  if (constants[shared::SPEC_SAMPLER] == shared::SAMPLER_INDEPENDENT)
+    any[shared::SPEC_JUMP_LEVELS] = 3;
   any[shared::SPEC_FILTER] = shared::FILTER_AT_RUN_TIME;
   // The widest that the faster gathering kernel takes.
   any[shared::SPEC_APRON] = std::max(4U, constants[shared::SPEC_APRON]);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "render/attribute_form.h"
 #include "vulkan/buffer.h"
 
@@ -28,6 +30,23 @@ void Stats::describe(const SceneData& data) {
   if (c[shared::SPEC_LIGHTS] == 0) leftOut.emplace_back("shadow rays: no light needed");
   if (c[shared::SPEC_JUMP_LEVELS] < 3)
     leftOut.push_back(fmt::format("sampler tables: {} of 3 needed", c[shared::SPEC_JUMP_LEVELS]));
+}
+
+void AdaptiveStats::describe(const SampleMap& map, Crop core, std::uint32_t bound) {
+  samples = {core.x1 - core.x0, core.y1 - core.y0, {"samples"}, {}};
+  double sum = 0, full = 0;
+  least = bound;
+  for (int y = core.y0; y < core.y1; ++y)
+    for (int x = core.x0; x < core.x1; ++x) {
+      const std::uint32_t count = map.pixel(x, y);
+      samples.pixels.push_back(static_cast<float>(count));
+      least = std::min(least, count);
+      most = std::max(most, count);
+      sum += count;
+      full += count == bound ? 1 : 0;
+    }
+  average = sum / static_cast<double>(samples.pixels.size());
+  atBound = full / static_cast<double>(samples.pixels.size());
 }
 
 nlohmann::json Stats::json() const {
@@ -64,6 +83,13 @@ nlohmann::json Stats::json() const {
             {"perPass", samplesAPass},
             {"passes", passes},
             {"bands", bands}}},
+          {"adaptive",
+           {{"error", adaptive.error},
+            {"pilotSamples", adaptive.pilotSamples},
+            {"averageSamples", adaptive.average},
+            {"leastSamples", adaptive.least},
+            {"mostSamples", adaptive.most},
+            {"shareAtBound", adaptive.atBound}}},
           {"peakBytes", peakBytes},
           {"leftOut", leftOut}};
 }
@@ -80,6 +106,12 @@ std::string Stats::text() const {
                      triangleBytes, attributeBytes);
   out += fmt::format("samples      {} in {} passes of {} a pixel, {} bands, {} dropped\n", samples,
                      passes, samplesAPass, bands, droppedSamples);
+  if (adaptive.error > 0.0)
+    out += fmt::format(
+        "adaptive     error {}: {:.2f} samples a pixel, {} to {}, {:.2f} % of the pixels at the "
+        "bound; {} pilot samples\n",
+        adaptive.error, adaptive.average, adaptive.least, adaptive.most, 100.0 * adaptive.atBound,
+        adaptive.pilotSamples);
   out += fmt::format(
       "time         Vulkan start {}, load {}, build {}, upload {}, compile {}, trace {}, "
       "reconstruct {}, read back {}, write {}, total {}\n",

@@ -3,9 +3,23 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "image/image.h"
+#include "render/sample_map.h"
 #include "render/scene_data.h"
 
 namespace laver {
+
+/// What adaptive sampling did; error 0 is none.
+struct AdaptiveStats {
+  double error = 0;                ///< wanted
+  std::uint64_t pilotSamples = 0;  ///< traced to decide, and not in the picture
+  double average = 0;              ///< samples a pixel, without the pilots'
+  std::uint32_t least = 0, most = 0;
+  double atBound = 0;  ///< share of pixels that were given all that --spp allows
+  Image samples;       ///< samples of each pixel; channel `samples`
+
+  void describe(const SampleMap& map, Crop core, std::uint32_t bound);
+};
 
 /// What --stats tells. Seconds are of the host's clock; parts that run side by side overlap.
 struct Stats {
@@ -21,6 +35,7 @@ struct Stats {
   std::uint32_t passes = 0, bands = 0, samplesAPass = 0;
   std::uint64_t samples = 0, droppedSamples = 0;
   Reached reached;
+  AdaptiveStats adaptive;
   std::uint64_t peakBytes = 0;  ///< of the process, the driver's memory on a CPU device included
   std::vector<std::string> leftOut;  ///< what the kernels do without, and why
 

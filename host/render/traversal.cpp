@@ -33,4 +33,10 @@ bool tooDenseForPackets(std::uint64_t triangles, const Scene& scene) {
   return triangles > 5 * rays;
 }
 
+std::uint32_t sideBySide(std::uint64_t triangles, const Camera& camera) {
+  const auto pixels =
+      static_cast<std::uint64_t>(camera.width) * static_cast<std::uint64_t>(camera.height);
+  return triangles > pixels ? 64 : 16;
+}
+
 }  // namespace laver

@@ -20,4 +20,8 @@ std::string traversalFor(const DeviceInfo& device, const std::string& wanted);
 /// triangles to a ray: packets take 0.3 and 2.8 times as long as rays by themselves.
 bool tooDenseForPackets(std::uint64_t triangles, const Scene& scene);
 
+/// 64 samples of a pixel side by side share more of a fine mesh, and less of the film: a bunny of
+/// 1.9 triangles to a pixel is traced 1.25 times as fast as by 16, one of 0.08 0.95 times.
+std::uint32_t sideBySide(std::uint64_t triangles, const Camera& camera);
+
 }  // namespace laver

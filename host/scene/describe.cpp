@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 #include "scene/scene.h"
 
@@ -15,13 +16,32 @@ struct IntegratorName {
 constexpr std::array kIntegrators = {
     IntegratorName{Integrator::Normals, "normals", "NormalIntegrator"},
     IntegratorName{Integrator::DirectWhitted, "direct_whitted", "DirectWhittedIntegrator"},
-    IntegratorName{Integrator::Depth, "depth", "DepthIntegrator"}};
+    IntegratorName{Integrator::Depth, "depth", "DepthIntegrator"},
+    IntegratorName{Integrator::AverageVisibility, "av", "AverageVisibilityIntegrator"},
+    IntegratorName{Integrator::AmbientOcclusion, "ao", "AmbientOcclusionIntegrator"}};
 
 const IntegratorName& entry(Integrator integrator) {
   for (const IntegratorName& candidate : kIntegrators) {
     if (candidate.integrator == integrator) return candidate;
   }
   return kIntegrators[0];
+}
+
+struct SamplerName {
+  Sampler::Kind kind;
+  const char* name;
+  const char* object;
+};
+constexpr std::array kSamplers = {
+    SamplerName{Sampler::Kind::Independent, "independent", "Independent"},
+    SamplerName{Sampler::Kind::Stratified, "stratified", "Stratified"},
+    SamplerName{Sampler::Kind::Sobol, "sobol", "Sobol"}};
+
+const SamplerName& entry(Sampler::Kind kind) {
+  for (const SamplerName& candidate : kSamplers) {
+    if (candidate.kind == kind) return candidate;
+  }
+  return kSamplers[0];
 }
 
 // No negative zero.
@@ -42,6 +62,12 @@ std::string rows(const glm::dmat4& m, std::size_t column) {
   return text;
 }
 
+std::string describeIntegrator(const Scene& scene) {
+  const bool av = scene.integrator == Integrator::AverageVisibility;
+  return fmt::format("{}[{}]", entry(scene.integrator).object,
+                     av ? fmt::format("length={:g}", scene.avLength) : "");
+}
+
 std::string describeFilter(const Filter& filter) {
   switch (filter.kind) {
     case Filter::Kind::Gaussian:
@@ -59,7 +85,7 @@ std::string describeFilter(const Filter& filter) {
 
 std::string describeSampler(const Sampler& sampler) {
   const std::string seed = sampler.seed == 0 ? "" : fmt::format(", seed={}", sampler.seed);
-  return fmt::format("Independent[sampleCount={}{}]", sampler.sampleCount, seed);
+  return fmt::format("{}[sampleCount={}{}]", entry(sampler.kind).object, sampler.sampleCount, seed);
 }
 
 std::string describeCamera(const Camera& camera, const Filter& filter) {
@@ -104,12 +130,27 @@ std::optional<Integrator> integratorFromName(const std::string& name) {
   return std::nullopt;
 }
 
+const char* samplerName(Sampler::Kind kind) { return entry(kind).name; }
+
+std::optional<Sampler::Kind> samplerFromName(const std::string& name) {
+  for (const SamplerName& candidate : kSamplers) {
+    if (candidate.name == name) return candidate.kind;
+  }
+  return std::nullopt;
+}
+
+glm::uvec2 strataOf(std::uint32_t sampleCount) {
+  auto columns = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(sampleCount)));
+  while (sampleCount % columns != 0) --columns;
+  return {columns, sampleCount / columns};
+}
+
 std::string describe(const Scene& scene) {
   // The missing comma behind the sampler is Nori's.
   std::string text = fmt::format(
-      "Scene[\n  integrator = {}[],\n  sampler = {}\n  camera = {},\n  medium = null,\n"
+      "Scene[\n  integrator = {},\n  sampler = {}\n  camera = {},\n  medium = null,\n"
       "  envEmitter = null,\n",
-      entry(scene.integrator).object, describeSampler(scene.sampler),
+      describeIntegrator(scene), describeSampler(scene.sampler),
       describeCamera(scene.camera, scene.filter));
   if (!scene.lights.empty()) {
     text += fmt::format("  emitters = {},\n", list(scene.lights, describeLight));

@@ -84,7 +84,7 @@ std::size_t offsetOf(pugi::xml_node node, const TextSource& source) {
   return std::min(source.text().find_first_not_of(" \t\r\n", offset), source.text().size());
 }
 
-void checkAttributes(pugi::xml_node node, std::initializer_list<std::string_view> known,
+void checkAttributes(pugi::xml_node node, const std::vector<std::string_view>& known,
                      const TextSource& source, Diagnostics& diagnostics) {
   std::vector<std::string_view> seen;
   for (const pugi::xml_attribute attribute : node.attributes()) {
@@ -92,9 +92,8 @@ void checkAttributes(pugi::xml_node node, std::initializer_list<std::string_view
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       diagnostics.warning(
           offsetOf(node, source),
-          fmt::format(
-              "<{}> takes no attribute {}: ignored{}", node.name(), inQuotes(name),
-              known.size() == 0 ? "" : "; expected " + expectedNames(name, std::vector(known))));
+          fmt::format("<{}> takes no attribute {}: ignored{}", node.name(), inQuotes(name),
+                      known.empty() ? "" : "; expected " + expectedNames(name, known)));
     } else if (std::find(seen.begin(), seen.end(), name) != seen.end()) {
       diagnostics.warning(
           offsetOf(node, source),

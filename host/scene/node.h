@@ -1,7 +1,7 @@
 #pragma once
-#include <initializer_list>
 #include <pugixml.hpp>
 #include <string_view>
+#include <vector>
 
 #include "scene/diagnostics.h"
 
@@ -11,7 +11,7 @@ namespace laver::xml {
 std::size_t offsetOf(pugi::xml_node node, const TextSource& source);
 
 /// Warns of attributes other than these, and of one given twice.
-void checkAttributes(pugi::xml_node node, std::initializer_list<std::string_view> known,
+void checkAttributes(pugi::xml_node node, const std::vector<std::string_view>& known,
                      const TextSource& source, Diagnostics& diagnostics);
 
 /// The value of an attribute; without it an error and nullptr.

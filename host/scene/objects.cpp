@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <limits>
 
@@ -13,9 +14,23 @@ namespace {
 
 using enum PropertyType;
 
+double positive(const Properties& given, const char* name) {
+  const double value = given.real(name);
+  if (!(value > 0.0))
+    given.error(name, fmt::format("{} must be more than 0, found {}", name, value));
+  return value;
+}
+
 template <Integrator kKind>
 void buildIntegrator(const Properties&, std::string_view, Draft& draft) {
   if (!draft.overrides.integrator) draft.scene.integrator = kKind;
+}
+
+constexpr std::array kAverageVisibility = {PropertyRule{"length", Float, nullptr}};
+
+void buildAverageVisibility(const Properties& given, std::string_view parent, Draft& draft) {
+  buildIntegrator<Integrator::AverageVisibility>(given, parent, draft);
+  if (given.has("length")) draft.scene.avLength = positive(given, "length");
 }
 
 constexpr std::array kCamera = {
@@ -60,6 +75,18 @@ void buildCamera(const Properties& given, std::string_view, Draft& draft) {
 constexpr std::array kSampler = {PropertyRule{"sampleCount", Integer, "1"},
                                  PropertyRule{"seed", Integer, "0"}};
 
+// Long strata leave one axis nearly to chance.
+void checkStrata(const Properties& given, std::uint32_t count) {
+  const glm::uvec2 strata = strataOf(count);
+  if (strata.y <= 2 * strata.x) return;
+  const auto root = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(count)));
+  given.warning(
+      "sampleCount",
+      fmt::format("{} samples make strata of {} x {} a pixel: {} or {} would make squares", count,
+                  strata.x, strata.y, root * root, (root + 1) * (root + 1)));
+}
+
+template <Sampler::Kind kKind>
 void buildSampler(const Properties& given, std::string_view, Draft& draft) {
   const SceneOverrides& overrides = draft.overrides;
   const std::int64_t count =
@@ -70,6 +97,9 @@ void buildSampler(const Properties& given, std::string_view, Draft& draft) {
   }
   draft.scene.sampler.sampleCount = static_cast<std::uint32_t>(count);
   draft.scene.sampler.seed = overrides.seed.value_or(given.integer("seed"));
+  draft.scene.sampler.kind = kKind;
+  if (kKind == Sampler::Kind::Stratified && count >= 1 && count <= kMost)
+    checkStrata(given, draft.scene.sampler.sampleCount);
 }
 
 constexpr std::array kGaussian = {PropertyRule{"radius", Float, "2"},
@@ -77,13 +107,6 @@ constexpr std::array kGaussian = {PropertyRule{"radius", Float, "2"},
 constexpr std::array kMitchell = {PropertyRule{"radius", Float, "2"},
                                   PropertyRule{"B", Float, "0.3333333333333333"},
                                   PropertyRule{"C", Float, "0.3333333333333333"}};
-
-double positive(const Properties& given, const char* name) {
-  const double value = given.real(name);
-  if (!(value > 0.0))
-    given.error(name, fmt::format("{} must be more than 0, found {}", name, value));
-  return value;
-}
 
 void buildGaussian(const Properties& given, std::string_view, Draft& draft) {
   Filter& filter = draft.scene.filter;
@@ -153,8 +176,12 @@ constexpr std::array kObjects = {
     ObjectRule{"integrator", "normals", {}, buildIntegrator<Integrator::Normals>},
     ObjectRule{"integrator", "direct_whitted", {}, buildIntegrator<Integrator::DirectWhitted>},
     ObjectRule{"integrator", "depth", {}, buildIntegrator<Integrator::Depth>},
+    ObjectRule{"integrator", "av", kAverageVisibility, buildAverageVisibility},
+    ObjectRule{"integrator", "ao", {}, buildIntegrator<Integrator::AmbientOcclusion>},
     ObjectRule{"camera", "perspective", kCamera, buildCamera},
-    ObjectRule{"sampler", "independent", kSampler, buildSampler},
+    ObjectRule{"sampler", "independent", kSampler, buildSampler<Sampler::Kind::Independent>},
+    ObjectRule{"sampler", "stratified", kSampler, buildSampler<Sampler::Kind::Stratified>},
+    ObjectRule{"sampler", "sobol", kSampler, buildSampler<Sampler::Kind::Sobol>},
     ObjectRule{"rfilter", "gaussian", kGaussian, buildGaussian},
     ObjectRule{"rfilter", "mitchell", kMitchell, buildMitchell},
     ObjectRule{"rfilter", "tent", {}, buildTent},

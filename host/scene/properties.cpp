@@ -70,4 +70,8 @@ void Properties::error(std::string_view name, const std::string& message) const 
   diagnostics_.error(slot(name).offset, message);
 }
 
+void Properties::warning(std::string_view name, const std::string& message) const {
+  diagnostics_.warning(slot(name).offset, message);
+}
+
 }  // namespace laver::xml

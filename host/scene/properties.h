@@ -35,6 +35,9 @@ class Properties {
   /// Reports `message` at the property, or at the object if the property was not given.
   void error(std::string_view name, const std::string& message) const;
 
+  /// The same as a warning.
+  void warning(std::string_view name, const std::string& message) const;
+
   std::size_t offset() const { return offset_; }
   const ObjectRule& rule() const { return rule_; }
 

@@ -32,7 +32,10 @@ void Reader::readScene(pugi::xml_node root) {
   Properties none(kScene, at(root), diagnostics_);
   readChildren(root, &none, "scene");
   if (!root.child("camera")) buildDefault("camera", "perspective", at(root));
-  if (!root.child("sampler")) buildDefault("sampler", "independent", at(root));
+  if (!root.child("sampler"))
+    buildDefault("sampler",
+                 samplerName(draft_.overrides.sampler.value_or(Sampler::Kind::Independent)),
+                 at(root));
   auto& lights = draft_.scene.lights;
   lights.insert(lights.end(), draft_.meshLights.begin(), draft_.meshLights.end());
 }
@@ -51,7 +54,7 @@ void Reader::readChildren(pugi::xml_node node, Properties* properties, std::stri
       diagnostics_.error(at(child), fmt::format("text outside of tags in <{}>", node.name()));
     } else if (const PropertyType* type = findPropertyType(tag)) {
       readProperty(child, *type, *properties);
-    } else if (isOperation(tag)) {
+    } else if (findOperation(tag)) {
       diagnostics_.error(at(child), fmt::format("<{}> outside of a <transform>", tag));
     }
   }
@@ -60,7 +63,8 @@ void Reader::readChildren(pugi::xml_node node, Properties* properties, std::stri
     properties->rule().build(*properties, parent, draft_);
   }
   for (const pugi::xml_node child : node.children()) {
-    if (!isElement(child) || findPropertyType(child.name()) || isOperation(child.name())) continue;
+    if (!isElement(child) || findPropertyType(child.name()) || findOperation(child.name()))
+      continue;
     if (const TagRule* rule = findTag(child.name())) {
       readObject(child, *rule, node.name());
     } else {
@@ -160,6 +164,9 @@ void Reader::readObject(pugi::xml_node node, const TagRule& rule, std::string_vi
   if (!checkPlace(node, rule, parent)) return;
   const char* type = requireAttribute(node, "type", source_, diagnostics_);
   if (!type) return;
+  // All samplers take the same properties, also those that laver does not have.
+  if (rule.tag == std::string_view("sampler") && draft_.overrides.sampler)
+    type = samplerName(*draft_.overrides.sampler);
   const ObjectRule* object = findObject(rule.tag, type);
   if (object) {
     checkAttributes(node, {"type", "name"}, source_, diagnostics_);

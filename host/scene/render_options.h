@@ -15,6 +15,7 @@ struct Crop {
 struct RenderOptions {
   std::optional<Crop> crop;  ///< default: the whole film; the picture has the crop's size
   bool noriCompat = false;   ///< filter weights from Nori's 32-entry table
+  double error = 0.0;        ///< adaptive sampling to this error (render/sample_map.h); 0: none
   unsigned threads = 0;      ///< host threads, 0: all
   std::function<void(double)> progress;  ///< called now and then with the share done, 0 to 1
   std::function<bool()> stop;            ///< asked before each pass: true ends the render there

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,7 +9,7 @@
 namespace laver {
 
 /// What a pixel shows.
-enum class Integrator { Normals, DirectWhitted, Depth };
+enum class Integrator { Normals, DirectWhitted, Depth, AverageVisibility, AmbientOcclusion };
 
 /// Pinhole camera. Camera space: +x left, +y up, +z forward.
 struct Camera {
@@ -30,10 +31,16 @@ struct Filter {
   double C = 1.0 / 3.0;  ///< Mitchell only
 };
 
-/// Nori's `independent` sampler.
+/// Where the samples of a pixel lie.
 struct Sampler {
+  enum class Kind {
+    Independent,  ///< Nori's: uniform, each by itself
+    Stratified,   ///< uniform, one in each of strataOf(sampleCount)
+    Sobol         ///< a (0,2)-sequence, Owen-scrambled by pixel; the count changes no sample
+  };
   std::uint32_t sampleCount = 1;  ///< per pixel
   std::int64_t seed = 0;
+  Kind kind = Kind::Independent;
 };
 
 /// Lambertian reflection.
@@ -62,6 +69,8 @@ struct Mesh {
 struct Scene {
   std::string file;  ///< path it was read from
   Integrator integrator = Integrator::Normals;
+  /// How far `av` looks, in scene units.
+  double avLength = std::numeric_limits<double>::infinity();
   Camera camera;
   Filter filter;
   Sampler sampler;
@@ -72,6 +81,7 @@ struct Scene {
 /// What the command line changes in a scene before it is checked.
 struct SceneOverrides {
   std::optional<Integrator> integrator;
+  std::optional<Sampler::Kind> sampler;
   std::optional<std::uint32_t> sampleCount;
   std::optional<std::int64_t> seed;
   std::optional<glm::ivec2> size;  ///< width, height in pixels
@@ -92,6 +102,14 @@ const char* integratorName(Integrator integrator);
 
 /// The integrator of that name, if laver has it.
 std::optional<Integrator> integratorFromName(const std::string& name);
+
+/// The same of a sampler.
+const char* samplerName(Sampler::Kind kind);
+std::optional<Sampler::Kind> samplerFromName(const std::string& name);
+
+/// Columns and rows of strata of the sampler `stratified`: the factors of the count that are
+/// nearest to each other, the smaller first.
+glm::uvec2 strataOf(std::uint32_t sampleCount);
 
 /// The `Scene[ ... ]` text that Nori prints.
 std::string describe(const Scene& scene);

@@ -24,17 +24,26 @@ constexpr std::array kPropertyTypes = {
     PropertyType::String, PropertyType::Boolean, PropertyType::Float, PropertyType::Integer,
     PropertyType::Vector, PropertyType::Point,   PropertyType::Color, PropertyType::Transform};
 
-constexpr std::array<std::string_view, 5> kOperations = {"translate", "scale", "rotate", "matrix",
-                                                         "lookat"};
+constexpr std::array kValue3 = {OperationAttribute{"value", 3}};
+constexpr std::array kValue16 = {OperationAttribute{"value", 16}};
+constexpr std::array kRotate = {OperationAttribute{"axis", 3}, OperationAttribute{"angle", 1}};
+constexpr std::array kLookAt = {OperationAttribute{"target", 3}, OperationAttribute{"origin", 3},
+                                OperationAttribute{"up", 3}};
+constexpr std::array kOperations = {
+    OperationRule{"translate", kValue3}, OperationRule{"scale", kValue3},
+    OperationRule{"rotate", kRotate}, OperationRule{"matrix", kValue16},
+    OperationRule{"lookat", kLookAt}};
 
 }  // namespace
 
 std::span<const TagRule> tagRules() { return kTags; }
 
-std::span<const std::string_view> transformOperations() { return kOperations; }
+std::span<const OperationRule> operationRules() { return kOperations; }
 
-bool isOperation(std::string_view tag) {
-  return std::find(kOperations.begin(), kOperations.end(), tag) != kOperations.end();
+const OperationRule* findOperation(std::string_view tag) {
+  const auto rule = std::find_if(kOperations.begin(), kOperations.end(),
+                                 [&](const OperationRule& o) { return o.tag == tag; });
+  return rule == kOperations.end() ? nullptr : &*rule;
 }
 
 const TagRule* findTag(std::string_view tag) {
@@ -49,6 +58,8 @@ const ObjectRule* findObject(std::string_view tag, std::string_view type) {
   }
   return nullptr;
 }
+
+std::span<const PropertyType> propertyTypes() { return kPropertyTypes; }
 
 const PropertyType* findPropertyType(std::string_view tag) {
   for (const PropertyType& type : kPropertyTypes) {
@@ -65,12 +76,18 @@ std::vector<std::string_view> knownTypes(std::string_view tag) {
   return types;
 }
 
+std::vector<std::string_view> knownOperations() {
+  std::vector<std::string_view> tags;
+  for (const OperationRule& rule : kOperations) tags.emplace_back(rule.tag);
+  return tags;
+}
+
 std::vector<std::string_view> knownTags() {
   std::vector<std::string_view> tags;
   tags.reserve(kTags.size() + kPropertyTypes.size() + kOperations.size());
   for (const TagRule& rule : kTags) tags.emplace_back(rule.tag);
   for (const PropertyType type : kPropertyTypes) tags.emplace_back(tagOf(type));
-  tags.insert(tags.end(), kOperations.begin(), kOperations.end());
+  for (const OperationRule& rule : kOperations) tags.emplace_back(rule.tag);
   return tags;
 }
 

@@ -61,17 +61,31 @@ struct TagRule {
 std::span<const ObjectRule> objectRules();
 std::span<const TagRule> tagRules();
 
-/// The names of the operations in a transform, and whether a tag is one.
-std::span<const std::string_view> transformOperations();
-bool isOperation(std::string_view tag);
+/// An attribute of a transform's operation: so many numbers.
+struct OperationAttribute {
+  const char* name;
+  std::size_t numbers;
+};
+
+/// An operation of a transform. All its attributes are required.
+struct OperationRule {
+  const char* tag;
+  std::span<const OperationAttribute> attributes;
+};
+
+std::span<const OperationRule> operationRules();
+const OperationRule* findOperation(std::string_view tag);
 
 const TagRule* findTag(std::string_view tag);
 const ObjectRule* findObject(std::string_view tag, std::string_view type);
+std::span<const PropertyType> propertyTypes();
 /// The property type whose tag this is.
 const PropertyType* findPropertyType(std::string_view tag);
 
 /// Types that laver has of an object, in the table's order.
 std::vector<std::string_view> knownTypes(std::string_view tag);
+/// Names of the operations of a transform.
+std::vector<std::string_view> knownOperations();
 /// All tags: objects, properties and transform operations.
 std::vector<std::string_view> knownTags();
 

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "scene/schema.h"
 #include "scene/suggest.h"
@@ -18,70 +20,47 @@ class Operation {
       : node_(node), source_(source), diagnostics_(diagnostics) {}
 
   std::optional<glm::dmat4> read() {
-    const std::string_view name = node_.name();
     checkNoContent(node_, source_, diagnostics_);
-    if (name == "translate" || name == "scale") return readTriple(name == "scale");
-    if (name == "rotate") return readRotate();
-    if (name == "matrix") return readMatrix();
-    return readLookAt();
+    const OperationRule& rule = *findOperation(node_.name());
+    std::vector<std::string_view> names;
+    for (const OperationAttribute& attribute : rule.attributes) names.emplace_back(attribute.name);
+    checkAttributes(node_, names, source_, diagnostics_);
+    std::array<double, 16> values{};
+    std::size_t count = 0;
+    bool usable = true;
+    for (const OperationAttribute& attribute : rule.attributes) {
+      usable = numbers(attribute, &values.at(count)) && usable;
+      count += attribute.numbers;
+    }
+    return usable ? matrixOf(rule.tag, values) : std::nullopt;
   }
 
  private:
-  void attributes(std::initializer_list<std::string_view> known) {
-    checkAttributes(node_, known, source_, diagnostics_);
-  }
-
-  bool numbers(const char* attribute, std::size_t count, double* values) {
-    const char* text = requireAttribute(node_, attribute, source_, diagnostics_);
+  bool numbers(const OperationAttribute& attribute, double* values) {
+    const char* text = requireAttribute(node_, attribute.name, source_, diagnostics_);
     if (!text) return false;
-    const std::string problem = parseNumbers(text, count, values);
-    if (!problem.empty()) error(fmt::format("<{}> \"{}\": {}", node_.name(), attribute, problem));
+    const std::string problem = parseNumbers(text, attribute.numbers, values);
+    if (!problem.empty())
+      error(fmt::format("<{}> \"{}\": {}", node_.name(), attribute.name, problem));
     return problem.empty();
   }
 
-  std::optional<glm::dvec3> triple(const char* attribute) {
-    double v[3];
-    if (!numbers(attribute, 3, v)) return std::nullopt;
-    return glm::dvec3(v[0], v[1], v[2]);
-  }
-
-  std::optional<glm::dmat4> readTriple(bool scale) {
-    attributes({"value"});
-    const auto value = triple("value");
-    if (!value) return std::nullopt;
+  // The attributes' numbers stand one after the other.
+  std::optional<glm::dmat4> matrixOf(std::string_view tag, const std::array<double, 16>& v) {
+    const auto triple = [&](std::size_t i) { return glm::dvec3(v[i], v[i + 1], v[i + 2]); };
     const glm::dmat4 one(1.0);
-    return scale ? glm::scale(one, *value) : glm::translate(one, *value);
-  }
-
-  std::optional<glm::dmat4> readRotate() {
-    attributes({"axis", "angle"});
-    const auto axis = triple("axis");
-    double angle = 0.0;
-    if (!numbers("angle", 1, &angle) || !axis) return std::nullopt;
-    const auto result = rotation(*axis, angle);
-    if (!result) error("<rotate> \"axis\" is zero, expected a direction");
-    return result;
-  }
-
-  std::optional<glm::dmat4> readMatrix() {
-    attributes({"value"});
-    double m[16];
-    if (!numbers("value", 16, m)) return std::nullopt;
-    glm::dmat4 result;
-    for (int i = 0; i < 16; ++i) result[i % 4][i / 4] = m[i];
-    return result;
-  }
-
-  std::optional<glm::dmat4> readLookAt() {
-    attributes({"target", "origin", "up"});
-    const auto target = triple("target");
-    const auto origin = triple("origin");
-    const auto up = triple("up");
-    if (!target || !origin || !up) return std::nullopt;
-    const auto result = lookAt(*origin, *target, *up);
-    if (!result) {
-      error("<lookat> has no direction: expected a target off the origin and an up off the view");
+    if (tag == "translate") return glm::translate(one, triple(0));
+    if (tag == "scale") return glm::scale(one, triple(0));
+    if (tag == "matrix") return glm::transpose(glm::make_mat4(v.data()));
+    std::optional<glm::dmat4> result;
+    if (tag == "rotate") {
+      result = rotation(triple(0), v[3]);
+      if (!result) error("<rotate> \"axis\" is zero, expected a direction");
+      return result;
     }
+    result = lookAt(triple(3), triple(0), triple(6));
+    if (!result)
+      error("<lookat> has no direction: expected a target off the origin and an up off the view");
     return result;
   }
 
@@ -107,11 +86,9 @@ std::optional<glm::dmat4> readTransform(pugi::xml_node node, const TextSource& s
                                         Diagnostics& diagnostics) {
   glm::dmat4 result(1.0);
   bool usable = true;
-  const auto operations = transformOperations();
-  const std::vector<std::string_view> known(operations.begin(), operations.end());
   for (const pugi::xml_node child : node.children()) {
     const std::string_view name = child.name();
-    if (child.type() == pugi::node_element && isOperation(name)) {
+    if (child.type() == pugi::node_element && findOperation(name)) {
       const auto matrix = Operation(child, source, diagnostics).read();
       if (matrix) result = *matrix * result;
       usable = usable && matrix;
@@ -122,7 +99,7 @@ std::optional<glm::dmat4> readTransform(pugi::xml_node node, const TextSource& s
                       child.type() != pugi::node_element
                           ? std::string("text outside of tags in <transform>")
                           : fmt::format("<{}> is no operation of a transform: expected {}", name,
-                                        expectedNames(name, known)));
+                                        expectedNames(name, knownOperations())));
   }
   if (usable && isSingular(result)) {
     diagnostics.error(offsetOf(node, source),

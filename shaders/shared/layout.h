@@ -6,7 +6,7 @@
 LAVER_SHARED_BEGIN
 
 // Bindings of descriptor set 0. T: texel buffer of uvec4, S: storage buffer, U: uniform buffer,
-// I: storage texel buffer (on lavapipe a vec4 is stored to one in half the time).
+// I: storage texel buffer.
 LAVER_CONST uint BIND_PARAMS = 0;      // U Params
 LAVER_CONST uint BIND_NODES = 1;       // T Node
 LAVER_CONST uint BIND_TRIANGLES = 2;   // T Triangle
@@ -21,21 +21,25 @@ LAVER_CONST uint BIND_FILM = 10;       // S FilmPixel
 LAVER_CONST uint BIND_STATUS = 11;     // S Status
 LAVER_CONST uint BIND_SAMPLE_TEXELS = 12;    // T of vec4: the samples, for reading
 LAVER_CONST uint BIND_SAMPLE_Y_TEXELS = 13;  // T of float
-LAVER_CONST uint BINDINGS = 14;
+LAVER_CONST uint BIND_COUNTS = 14;  // T Count, of the cells of the region; adaptive sampling only
+LAVER_CONST uint BIND_WORK = 15;    // T Work; adaptive sampling only
+LAVER_CONST uint BINDINGS = 16;
 
 // Specialisation constants: what the scene needs (shaders/*.glsl say what each leaves out).
 LAVER_CONST uint SPEC_STACK = 0;         // entries of the traversal stack
 LAVER_CONST uint SPEC_NORMALS = 1;       // some mesh has vertex normals
 LAVER_CONST uint SPEC_ALBEDOS = 2;       // the meshes differ in albedo
 LAVER_CONST uint SPEC_LIGHTS = 3;        // LIGHTS_*
-LAVER_CONST uint SPEC_JUMP_LEVELS = 4;   // 1 to 3 tables of the sampler are needed
+LAVER_CONST uint SPEC_JUMP_LEVELS = 4;   // tables that `independent` needs, 1 to 3
 LAVER_CONST uint SPEC_FILTER = 5;        // FILTER_*
 LAVER_CONST uint SPEC_APRON = 6;         // pixels on each side that a sample can reach
 LAVER_CONST uint SPEC_NORI_TABLE = 7;    // filter weights from Nori's table
-LAVER_CONST uint SPEC_HITS = 8;          // what rays hit shows; else none is traced
-LAVER_CONST uint SPEC_DARK_SIDES = 9;    // shadow rays even where n.l <= 0: never needed
-LAVER_CONST uint SPEC_INDEX_BYTES = 10;  // of an index in Attributes: 1, 2 or 4; the host's alone
-LAVER_CONST uint SPEC_CONSTANTS = 11;
+LAVER_CONST uint SPEC_SAMPLER = 8;       // SAMPLER_*
+LAVER_CONST uint SPEC_ADAPTIVE = 9;      // cells have sample counts of their own (adaptive.glsl)
+LAVER_CONST uint SPEC_HITS = 10;         // what rays hit shows; else none is traced
+LAVER_CONST uint SPEC_DARK_SIDES = 11;   // shadow rays even where n.l <= 0: never needed
+LAVER_CONST uint SPEC_INDEX_BYTES = 12;  // of an index in Attributes: 1, 2 or 4; the host's alone
+LAVER_CONST uint SPEC_CONSTANTS = 13;
 
 LAVER_CONST uint FILTER_GAUSSIAN = 0;
 LAVER_CONST uint FILTER_MITCHELL = 1;
@@ -43,6 +47,10 @@ LAVER_CONST uint FILTER_TENT = 2;
 LAVER_CONST uint FILTER_BOX = 3;
 LAVER_CONST uint FILTER_GAUSSIAN_NARROW = 4;  // whose weights filter.glsl makes by products
 LAVER_CONST uint FILTER_AT_RUN_TIME = 5;      // the one in params.filterArgs.w
+
+LAVER_CONST uint SAMPLER_INDEPENDENT = 0;
+LAVER_CONST uint SAMPLER_STRATIFIED = 1;
+LAVER_CONST uint SAMPLER_SOBOL = 2;
 
 // The scene's lights: none, so few that one dispatch looks at all, or more. Those are summed in
 // further dispatches, so that an invocation stays far below lavapipe's 65,535 loop iterations.
@@ -54,7 +62,7 @@ LAVER_CONST uint LIGHTS_A_DISPATCH = 8;
 LAVER_CONST uint GATHER_GROUP = 64;  // columns
 // Samples of a pixel that are summed plainly before a compensated sum takes them: a pass holds a
 // multiple of them, so that cutting a render into passes changes no bit.
-LAVER_CONST uint GATHER_SAMPLES = 4;
+LAVER_CONST uint GATHER_SAMPLES = 8;
 // Where the position of a sample that is left out stands: no filter reaches it.
 LAVER_CONST float DROPPED = 1e6f;
 
@@ -125,17 +133,42 @@ struct Jump {
   uvec2 increments;
 };
 
+// Adaptive sampling decides by cells of CELL x CELL pixels of the film, in steps of CELL_STEP
+// samples a pixel: 64 samples, a workgroup of tracing.
+LAVER_CONST uint CELL = 4;
+LAVER_CONST uint CELL_STEP = 4;
+// It gathers by strips of columns and rows.
+LAVER_CONST uint STRIP_COLUMNS = 8;
+LAVER_CONST uint STRIP_ROWS = 16;
+
+// Samples a pixel of a cell. 1 texel.
+struct Count {
+  uint samples;
+  uint pad0, pad1, pad2;
+};
+
+// What a workgroup does. Tracing: tile's corner in pixels of the region (modulo 2^32, since cells
+// begin outside of it), first sample of the pass. Gathering, GATHER_GROUP / STRIP_COLUMNS of
+// them: which strip of the core, in strips, samples of the pass. 1 texel.
+struct Work {
+  uint x, y;
+  uint number;
+  uint pad;
+};
+
 // std140: rows of 16 bytes.
 struct Params {
   vec4 origin;     // camera, normalised space
   vec4 columnX;    // ray direction = columnX * (width - 2 px) + columnY * (height - 2 py) + columnZ
   vec4 columnY;
   vec4 columnZ;
-  vec4 clip;       // tmin, tmax, 1 / scale of space, -
+  vec4 clip;       // tmin, tmax, 1 / scale of space, how far av and ao look
   vec4 albedo;     // of all meshes, where they agree
   uvec4 film;      // width, height, samples a pixel, reference of the root
-  uvec4 seed;      // low, high, -, -
-  uvec4 jumps;     // first texel of the tables by sample (low, high part), samples of the low part
+  uvec4 seed;      // low, high; hash of both, half a step of the sample grid in 2^-32 pixels
+  // independent: first texel of the tables by sample (low, high part), samples of the low part;
+  // stratified: strata along y, size of a stratum along x and y in 2^-32 pixels
+  uvec4 samplerArgs;
   vec4 filterArgs; // radius, two numbers that filter.glsl explains, FILTER_*
   vec4 table[9];   // Nori's table, 33 entries, or for FILTER_GAUSSIAN_NARROW exp(alpha k^2)
 };
@@ -146,7 +179,8 @@ struct Pass {
   uvec4 core;    // x, y, width, height in film pixels: what is reconstructed
   uvec4 samples; // first, count
   uvec4 tiles;   // trace: rows, stride that permutes them, log2 of samples side by side, first
-                 // sample of the dispatch; gather: rows of pixels an invocation
+                 // sample of the dispatch; gather: rows of pixels an invocation. Adaptive: w is
+                 // the first Work of the dispatch
   uvec4 lights;  // first, count, 1 in the first dispatch of a pass, 1 in the last
 };
 
@@ -169,6 +203,7 @@ static_assert(sizeof(Attributes) == 16);
 static_assert(sizeof(Material) == 16);
 static_assert(sizeof(Light) == 32 && offsetof(Light, radiance) == 16);
 static_assert(sizeof(Jump) == 16);
+static_assert(sizeof(Count) == 16 && sizeof(Work) == 16);
 static_assert(sizeof(Params) == 304 && offsetof(Params, film) == 96);
 static_assert(sizeof(Pass) == 80);
 static_assert(sizeof(FilmPixel) == 32);

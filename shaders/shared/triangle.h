@@ -119,6 +119,13 @@ LAVER_FN bool blocks(Shear shear, float last, vec3 normal, float lightSide, vec3
          greater(a.z, greater(b.z, c.z)) >= 0.0f;
 }
 
+// The same for the view from a point to point + way, `way` permuted: with no light, which side the
+// end is on counts from the point, so that a short way is as exact as a long one.
+LAVER_FN bool blocksWay(Shear shear, float last, vec3 way, vec3 normal, vec3 a, vec3 b, vec3 c) {
+  LAVER_PRECISE float endSide = dotProduct(normal, way) - dotProduct(normal, a);
+  return blocks(shear, last, normal, endSide, a, b, c);
+}
+
 LAVER_SHARED_END
 
 #endif

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "bench/embree_scene.h"
-#include "bvh/box.h"
 #include "bvh/bvh.h"
+#include "unit/box.h"
 
 namespace laver::bench {
 

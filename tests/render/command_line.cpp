@@ -53,15 +53,23 @@ TEST_F(CommandLine, ReferenceNeedsNoDriver) {
   EXPECT_NE(run.err.find("laver: "), std::string::npos);
 }
 
+TEST_F(CommandLine, SchemaIsTextOrJson) {
+  const Outcome text = laver("schema"), json = laver("schema --json");
+  EXPECT_EQ(text.code, 0) << text.err;
+  EXPECT_NE(text.out.find("\n    sampleCount  integer    1\n"), std::string::npos) << text.out;
+  EXPECT_EQ(json.code, 0) << json.err;
+  EXPECT_EQ(nlohmann::json::parse(json.out)["elements"][0]["tag"], "integrator");
+}
+
 TEST_F(CommandLine, UsageErrorsAreOneLineAndExitTwo) {
   write("test.xml", kFirstScene);
   for (const char* arguments :
        {"", "--nonsense", "test.xml --size 12", "test.xml --size 12x", "test.xml --size axb",
         "test.xml --crop 1,2,3", "test.xml --crop 0,0,5000,2 --device cpu",
         "test.xml --crop 4,4,4,8 --device cpu", "test.xml --spp 0", "test.xml --spp -3",
-        "test.xml --integrator path_mis", "test.xml -o picture.jpg --device cpu",
-        "test.xml --device cpu --traversal magic", "compare", "compare a.exr",
-        "compare a.exr b.exr", "compare a.exr --explain test.xml",
+        "test.xml --integrator path_mis", "test.xml --sampler halton",
+        "test.xml -o picture.jpg --device cpu", "test.xml --device cpu --traversal magic",
+        "compare", "compare a.exr", "compare a.exr b.exr", "compare a.exr --explain test.xml",
         "compare a.exr b.exr --explain test.xml"}) {
     const Outcome run = laver(arguments);
     EXPECT_EQ(run.code, 2) << arguments << ": " << run.err;

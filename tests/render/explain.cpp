@@ -27,7 +27,8 @@ bool nearDecision(const Scene& scene, const Reference& reference, int x, int y, 
       const int px = x + dx, py = y + dy;
       if (px < 0 || py < 0 || px >= scene.camera.width || py >= scene.camera.height) continue;
       for (std::uint32_t s = 0; s < scene.sampler.sampleCount; ++s)
-        if (!reference.decided(glm::dvec2(reference.samplePosition(px, py, s)), kDelta, tolerance))
+        if (!reference.decided(glm::dvec2(reference.samplePosition(px, py, s)), kDelta, tolerance,
+                               glm::dvec2(reference.sampleNumbers(px, py, s))))
           return true;
     }
   return false;

@@ -82,6 +82,18 @@ TEST(SameBits, LaneAndPacket) {
   }
 }
 
+TEST(SameBits, AnyNumberOfSamplesSideBySide) {
+  // 85 samples of a mesh finer than the film: tiles of 64, 16, 4 and 1 samples.
+  const Scene scene = smallScene("bunny-whitted.xml", 35, 85);
+  VulkanOptions lane = cpuDevice(), packet = cpuDevice(), few = cpuDevice();
+  lane.traversal = "lane";
+  packet.traversal = few.traversal = "packet";
+  few.samplesInFlight = 64 * 35 * 8;  // eight samples a pass: tiles of 4
+  const Image image = render(scene, packet);
+  EXPECT_EQ(differingFloats(image, render(scene, lane)), 0U);
+  EXPECT_EQ(differingFloats(image, render(scene, few)), 0U);
+}
+
 TEST(SameBits, LaneAndPacketFromInsideAMeshWithAWideView) {
   // Rays of one packet fall into several groups of axis, sign and slope, and so do its shadow
   // rays: the light is inside too.

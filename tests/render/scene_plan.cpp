@@ -75,6 +75,23 @@ TEST(ScenePlan, TellsTheTraversalThatTheRenderTakes) {
   EXPECT_EQ(planScene(scene, {}, "lane", cpu()).traversal, "lane");
 }
 
+TEST(ScenePlan, TellsWhatSamplerAdaptionAndDensityDecide) {
+  Scene scene = smallScene("bunny-normals.xml", 200, 85);  // 1.7 triangles to a pixel
+  ScenePlan plan = planScene(scene, {}, "", cpu());
+  EXPECT_EQ(line(plan, "sampler").decision, "independent");
+  EXPECT_EQ(line(plan, "adaptive").decision, "off");
+  EXPECT_EQ(line(plan, "side by side").decision, "64 samples of a pixel");
+  scene.camera.width = scene.camera.height = 300;
+  EXPECT_EQ(planScene(scene, {}, "", cpu()).figures["samplesSideBySide"], 16);
+  scene.sampler.kind = Sampler::Kind::Sobol;
+  RenderOptions options;
+  options.error = 0.01;
+  plan = planScene(scene, options, "", cpu());
+  EXPECT_EQ(line(plan, "sampler").decision, "sobol");
+  EXPECT_EQ(line(plan, "sampler tables").decision, "none");
+  EXPECT_EQ(line(plan, "adaptive").decision, "4 to 84 samples a pixel");
+}
+
 TEST_F(CommandLine, PlanPrintsTextAndJsonAndWritesNothing) {
   write("test.xml", kFirstScene);
   const Outcome text = laver("plan test.xml --device cpu --spp 7");
@@ -95,6 +112,7 @@ TEST_F(CommandLine, PlanFailsAsRenderingDoes) {
   EXPECT_EQ(laver("plan").code, 2);
   EXPECT_EQ(laver("plan test.xml --size 12").code, 2);
   EXPECT_EQ(laver("plan test.xml --crop 0,0,5000,2 --device cpu").code, 2);
+  EXPECT_EQ(laver("plan test.xml --error 0.1 --spp 3 --device cpu").code, 2);
   EXPECT_EQ(laver("plan test.xml --traversal sideways --device cpu").code, 2);
   EXPECT_EQ(laver("plan bad.xml").code, 3);
   EXPECT_EQ(laver("plan nowhere.xml").code, 3);

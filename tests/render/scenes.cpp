@@ -72,6 +72,15 @@ TEST(Scenes, EveryFilterEqualsTheReferenceExactAndByNorisTable) {
   expectMatch(scene);
 }
 
+TEST(Scenes, EverySamplerEqualsTheReference) {
+  Scene scene = smallScene("cornell-two-lights.xml", 96, 6);
+  for (const Sampler::Kind kind : {Sampler::Kind::Stratified, Sampler::Kind::Sobol}) {
+    SCOPED_TRACE(samplerName(kind));
+    scene.sampler.kind = kind;
+    expectMatch(scene);
+  }
+}
+
 TEST(Scenes, ManyLightsAreSummedOverSeveralDispatches) {
   Scene scene = smallScene("cornell-two-lights.xml", 64, 2);
   const PointLight first = scene.lights.at(0);

@@ -4,11 +4,11 @@
 
 #include <atomic>
 
-#include "bvh/box.h"
 #include "stability/exact.h"
 #include "stability/meshes.h"
 #include "stability/naive.h"
 #include "stability/record.h"
+#include "unit/box.h"
 
 namespace laver::stability {
 namespace {

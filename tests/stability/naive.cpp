@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "bvh/box.h"
 #include "stability/twin/walk.h"
+#include "unit/box.h"
 
 namespace laver::stability::naive {
 

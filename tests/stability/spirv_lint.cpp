@@ -25,7 +25,11 @@ const std::map<std::string, Precise> kPrecise = {
     {"pointAt", {12, false}},  // point.h: weights and position; the rest are calls and quotients
     {"accurateDifference", {19, true}},  // point.h
     {"shadingNormal", {5, true}},
-    {"filmPosition", {1, true}},  // sampler.glsl: pixel + jitter is Nori's float sum
+    {"blocksWay", {1, true}},         // triangle.h
+    {"cosSinOfTurn", {24, false}},    // direction.h; not precise: which quarter turn is taken out
+    {"sphereDirection", {7, true}},   // direction.h
+    {"uniformDirection", {3, true}},  // direction.h
+    {"filmPosition", {1, true}},      // sampler.glsl: pixel + jitter is Nori's float sum
     {"cameraDirection", {8, true}},
     {"expOf", {22, false}},  // filter.glsl: Cody and Waite's reduction; the last is a scaling
     {"addCompensated", {7, true}},  // gather.comp: two-sum is all rounding errors
@@ -40,6 +44,7 @@ const std::map<std::string, const char*> kMayCompare = {
     {"gaussian", "distances of a pixel's centre, finite"},
     {"mitchell", "distances of a pixel's centre, finite"},
     {"filterWeight", "distances of a pixel's centre, finite"},
+    {"filterWeights", "products of exponentials that specialise.cpp keeps finite"},
 };
 
 bool startsWith(const std::string& text, const char* prefix) { return text.rfind(prefix, 0) == 0; }

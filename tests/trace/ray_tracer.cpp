@@ -4,7 +4,9 @@
 #include <chrono>
 #include <cstring>
 #include <deque>
+#include <vector>
 
+#include "render/device_scene.h"
 #include "vulkan/bindings.h"
 #include "vulkan/kernel.h"
 
@@ -23,14 +25,11 @@ constexpr std::uint32_t kRow = 1024;
 
 static_assert(sizeof(TestRay) == 32 && sizeof(TestHit) == 16);
 
-std::array<VkDescriptorType, shared::BINDINGS + 2> bindingTypes() {
-  std::array<VkDescriptorType, shared::BINDINGS + 2> types;
-  types.fill(VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER);
-  types[shared::BIND_PARAMS] = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-  for (const auto b : {shared::BIND_SAMPLES, shared::BIND_SAMPLES_Y})
-    types[b] = VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER;
-  for (const auto b : {shared::BIND_FILM, shared::BIND_STATUS, kOutput})
-    types[b] = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+std::vector<VkDescriptorType> testBindingTypes() {
+  const auto production = bindingTypes();
+  std::vector<VkDescriptorType> types(production.begin(), production.end());
+  types.resize(shared::BINDINGS + 2, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER);
+  types[kOutput] = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
   return types;
 }
 
@@ -46,7 +45,7 @@ Kernel kernelOf(const Device& device, const Bindings& bindings, const std::strin
 struct RayTracer::Impl {
   Impl(const Device& d, const Bvh& bvh, const std::string& traversal)
       : device(d),
-        bindings(d, bindingTypes()),
+        bindings(d, testBindingTypes()),
         params(d, "parameters", Buffer::Use::Uniform, sizeof(shared::Params)),
         status(d, "status", Buffer::Use::Storage, sizeof(shared::Status)),
         output(d, "hits", Buffer::Use::Storage, kRays * sizeof(TestHit)),

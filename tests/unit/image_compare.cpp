@@ -13,19 +13,10 @@ namespace laver {
 namespace {
 
 using image_test::expectError;
-
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr double kEndless = std::numeric_limits<double>::infinity();
-
-Image row(std::vector<std::string> channels, std::vector<float> pixels) {
-  Image image;
-  image.width = static_cast<int>(pixels.size() / channels.size());
-  image.height = 1;
-  image.channels = std::move(channels);
-  image.pixels = std::move(pixels);
-  return image;
-}
+using image_test::kEndless;
+using image_test::kInfinity;
+using image_test::kNan;
+using image_test::row;
 
 ChannelDifference compareOne(std::vector<float> a, std::vector<float> b, double tolerance) {
   return compare(row({"Y"}, std::move(a)), row({"Y"}, std::move(b)), tolerance).at(0);

@@ -11,20 +11,12 @@ namespace laver {
 namespace {
 
 using image_test::expectError;
+using image_test::kEndless;
+using image_test::kInfinity;
+using image_test::kNan;
+using image_test::row;
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr double kEndless = std::numeric_limits<double>::infinity();
 constexpr Rgb8 kBlack = {0, 0, 0}, kMagenta = {255, 0, 255};
-
-Image row(std::vector<std::string> channels, std::vector<float> pixels) {
-  Image image;
-  image.width = static_cast<int>(pixels.size() / channels.size());
-  image.height = 1;
-  image.channels = std::move(channels);
-  image.pixels = std::move(pixels);
-  return image;
-}
 
 /// Rec. 709 luma: what makes a map readable in grey.
 double luma(Rgb8 c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }

@@ -6,12 +6,30 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/error.h"
+#include "image/image.h"
 
 namespace laver::image_test {
+
+inline constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
+inline constexpr double kEndless = std::numeric_limits<double>::infinity();
+
+/// An image of one row.
+inline Image row(std::vector<std::string> channels, std::vector<float> pixels) {
+  Image image;
+  image.width = static_cast<int>(pixels.size() / channels.size());
+  image.height = 1;
+  image.channels = std::move(channels);
+  image.pixels = std::move(pixels);
+  return image;
+}
 
 /// An empty folder that goes away with the object.
 class Folder {

@@ -60,6 +60,8 @@ TEST(Specialise, WithoutALightNothingIsTraced) {
   };
   EXPECT_EQ(hits(Integrator::Normals), 1U);
   EXPECT_EQ(hits(Integrator::Depth), 1U);
+  EXPECT_EQ(hits(Integrator::AverageVisibility), 1U);
+  EXPECT_EQ(hits(Integrator::AmbientOcclusion), 1U);
   EXPECT_EQ(hits(Integrator::DirectWhitted), 0U);
   scene.lights.resize(1);
   EXPECT_EQ(hits(Integrator::DirectWhitted), 1U);

@@ -39,10 +39,10 @@ PcgJump lookUp(const SceneData& data, std::uint32_t pixel, std::uint32_t number)
     jump = {next.multiplier * jump.multiplier, next.multiplier * jump.increments + next.increments};
   };
   const std::uint32_t levels = data.constants[shared::SPEC_JUMP_LEVELS];
-  if (levels == 2) follow(data.params.jumps.x + number);
+  if (levels == 2) follow(data.params.samplerArgs.x + number);
   if (levels == 3) {
-    follow(data.params.jumps.x + number % data.params.jumps.z);
-    follow(data.params.jumps.y + number / data.params.jumps.z);
+    follow(data.params.samplerArgs.x + number % data.params.samplerArgs.z);
+    follow(data.params.samplerArgs.y + number / data.params.samplerArgs.z);
   }
   return jump;
 }

@@ -103,7 +103,8 @@ TEST(SceneOverride, IntegratorMakesAnotherAWarningAndLightsUnneeded) {
   const std::string xml = scene(mesh("\n<bsdf type=\"mirror\"/>"), "path_mis");
   EXPECT_EQ(files.warnings(xml, with(Integrator::Normals)),
             "f.xml:1:9: warning: laver has no integrator of type \"path_mis\": expected "
-            "\"normals\", \"direct_whitted\" or \"depth\" (nearest: \"normals\"); ignored, "
+            "\"normals\", \"direct_whitted\", \"depth\", \"av\" or \"ao\" (nearest: \"normals\"); "
+            "ignored, "
             "integrator \"normals\" does not need it\n"
             "f.xml:3:2: warning: laver has no bsdf of type \"mirror\": expected \"diffuse\"; "
             "ignored, integrator \"normals\" does not need it");
@@ -136,6 +137,37 @@ TEST(SceneOverride, SizeSamplesAndSeedReplaceWhatTheSceneSays) {
     EXPECT_EQ(s.sampler.sampleCount, 9u);
     EXPECT_EQ(s.sampler.seed, -3);
   }
+}
+
+TEST(SceneOverride, ASamplerTakesTheCountOfAnyOther) {
+  const Files files;
+  SceneOverrides overrides;
+  overrides.sampler = Sampler::Kind::Sobol;
+  for (const char* type : {"independent", "halton"}) {
+    const Scene s = files
+                        .load(scene("<sampler type=\"" + std::string(type) +
+                                    "\"><integer name=\"sampleCount\" value=\"8\"/></sampler>"),
+                              overrides)
+                        .scene;
+    EXPECT_EQ(s.sampler.kind, Sampler::Kind::Sobol);
+    EXPECT_EQ(s.sampler.sampleCount, 8u);
+  }
+  EXPECT_EQ(files.load(scene(""), overrides).scene.sampler.kind, Sampler::Kind::Sobol);
+}
+
+TEST(SceneSampler, StrataFarFromSquareAreAWarning) {
+  const Files files;
+  const auto of = [](const char* count) {
+    return scene("<sampler type=\"stratified\"><integer name=\"sampleCount\" value=\"" +
+                 std::string(count) + "\"/></sampler>");
+  };
+  EXPECT_EQ(files.load(of("16")).scene.sampler.kind, Sampler::Kind::Stratified);
+  for (const char* count : {"1", "2", "8", "12", "16"}) EXPECT_EQ(files.warnings(of(count)), "");
+  EXPECT_EQ(files.warnings(of("10")),
+            "f.xml:2:29: warning: 10 samples make strata of 2 x 5 a pixel: 9 or 16 would make "
+            "squares");
+  EXPECT_EQ(files.errors(of("4294967296")),
+            "f.xml:2:29: error: sampleCount must be 1 to 4294967295, found 4294967296");
 }
 
 TEST(SceneOverride, AreCheckedThemselves) {

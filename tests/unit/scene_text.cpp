@@ -112,6 +112,16 @@ TEST(SceneDescribe, EmptySceneIsTheHandOuts) {
             "]");
 }
 
+TEST(SceneDescribe, Samplers) {
+  const Files files;
+  for (const auto& [type, text] :
+       {std::pair("stratified", "  sampler = Stratified[sampleCount=1]\n"),
+        std::pair("sobol", "  sampler = Sobol[sampleCount=1]\n")})
+    EXPECT_NE(describe(files.load(scene("<sampler type=\"" + std::string(type) + "\"/>")).scene)
+                  .find(text),
+              std::string::npos);
+}
+
 TEST(SceneDescribe, MeshesLightsFilterAndSeed) {
   const Files files;
   files.write("t.obj", kTriangle);

@@ -1,0 +1,101 @@
+#include "commands/resume.h"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "core/error.h"
+#include "core/fnv1a.h"
+#include "image/io.h"
+
+namespace laver {
+namespace {
+
+constexpr const char* kRows = "samplesByRow";  // such as 341x64 427x16
+constexpr const char* kFinished = "rowsWithoutSums";
+constexpr const char* kDropped = "samplesDropped";
+constexpr const char* kHash = "hash";
+const std::string kPrefix = "state.";
+
+std::string rowsText(const FilmState& state) {
+  std::string text;
+  const int height = state.sums.height;
+  for (int row = 0; row < height;) {
+    const int rows = state.alike(row, height - row);
+    text += fmt::format("{}{}x{}", row == 0 ? "" : " ", rows,
+                        state.samples[static_cast<std::size_t>(row)]);
+    row += rows;
+  }
+  return text;
+}
+
+/// The opposite; nothing where the text is of another form or another number of rows.
+std::vector<std::uint32_t> rowsOf(const std::string& text, int height) {
+  std::vector<std::uint32_t> samples;
+  std::istringstream in(text);
+  std::uint32_t rows = 0, count = 0;
+  char times = 0;
+  const auto all = static_cast<std::size_t>(height);
+  while (in >> rows >> times >> count && times == 'x' && rows <= all - samples.size())
+    samples.insert(samples.end(), rows, count);
+  return samples.size() == all && in.eof() ? samples : std::vector<std::uint32_t>{};
+}
+
+/// All that is not sums. A file has other texts, too: these have a prefix there.
+std::map<std::string, std::string> texts(const FilmState& state) {
+  std::map<std::string, std::string> all(state.settings.begin(), state.settings.end());
+  all[kRows] = rowsText(state);
+  all[kFinished] = std::to_string(state.finishedRows);
+  all[kDropped] = std::to_string(state.dropped);
+  return all;
+}
+
+/// Of the sums and of all that describes them. Chunks that do not shrink lie in an EXR file bare,
+/// without a checksum of their own.
+std::string hashOf(const FilmState& state) {
+  Fnv1a hash;
+  for (const auto& [name, value] : texts(state)) {
+    hash.add(name);
+    hash.add(value);
+  }
+  hash.add(std::as_bytes(std::span(state.sums.pixels)));
+  return hash.text();
+}
+
+}  // namespace
+
+std::filesystem::path statePath(std::filesystem::path exr) {
+  return exr.replace_extension(".state.exr");
+}
+
+FilmState readState(const std::filesystem::path& file) {
+  FilmState state(FilmState::Keep::Always);
+  state.file = file.string();
+  state.sums = readExr(file.string());
+  std::map<std::string, std::string> found;
+  for (const auto& [name, value] : readExrTexts(file.string()))
+    if (name.rfind(kPrefix, 0) == 0) found[name.substr(kPrefix.size())] = value;
+  const auto take = [&](const char* name) {
+    const auto node = found.extract(name);
+    return node.empty() ? std::string() : node.mapped();
+  };
+  const std::string hash = take(kHash);
+  state.samples = rowsOf(take(kRows), state.sums.height);
+  std::istringstream(take(kFinished)) >> state.finishedRows;
+  std::istringstream(take(kDropped)) >> state.dropped;
+  state.settings.assign(found.begin(), found.end());
+  if (state.samples.empty() || hashOf(state) != hash)
+    throw Error(ExitCode::Usage, fmt::format("cannot resume from \"{}\": it is damaged, or no "
+                                             "file of sums",
+                                             file.string()));
+  return state;
+}
+
+void writeState(const std::filesystem::path& file, const FilmState& state, unsigned threads) {
+  Metadata attributes;
+  for (const auto& [name, value] : texts(state)) attributes[kPrefix + name] = value;
+  attributes[kPrefix + kHash] = hashOf(state);
+  writeExr(file.string(), state.sums, attributes, threads);
+}
+
+}  // namespace laver

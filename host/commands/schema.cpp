@@ -1,0 +1,15 @@
+#include <iostream>
+
+#include "commands/commands.h"
+#include "commands/standard_output.h"
+#include "scene/schema_text.h"
+
+namespace laver {
+
+ExitCode runSchema(bool json) {
+  std::cout << (json ? schemaJson().dump(2) + '\n' : schemaText());
+  flushStandardOutput();
+  return ExitCode::Ok;
+}
+
+}  // namespace laver

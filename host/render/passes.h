@@ -1,0 +1,78 @@
+#pragma once
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "render/device_scene.h"
+#include "render/kernels.h"
+#include "render/stats.h"
+#include "render/work_list.h"
+
+namespace laver {
+
+/// The passes of a render on its device: each traces some samples of every pixel of a band, and
+/// gathers them into the film.
+class Passes {
+ public:
+  Passes(const Device& device, const SceneData& data, const RenderPlan& plan, const Scene& scene,
+         const RenderOptions& options, Stats& stats);
+
+  /// Takes kernels that were compiled for what begin() is called with next.
+  void take(Kernels kernels);
+  /// Makes the passes that follow those of shaders/<kernel>.comp. Compiles it, unless it was taken.
+  void begin(const std::string& kernel, const SpecConstants& constants, bool taken);
+  /// From here on a pixel gets as many samples as the map says; null: as many as add() says.
+  void use(const SampleMap* map) { map_ = map; }
+
+  /// The film starts anew, or with the sums of some of its rows.
+  void clearFilm();
+  void setFilm(std::span<const std::byte> sums);
+  /// The sums of a band's pixels, until the next pass.
+  std::span<const std::byte> filmOf(const Crop& band);
+
+  /// Adds samples [first, end) of the pixels of a band, calling passed(n) when n samples are in it;
+  /// returns to which sample it came, less than `end` if options.stop ended it.
+  std::uint32_t add(const Crop& band, std::uint32_t first, std::uint32_t end,
+                    const std::function<void(std::uint32_t)>& passed);
+  /// With a map: the most samples of a pixel that a band's sums hold.
+  std::uint32_t mostOf(const Crop& band) const;
+
+  /// New parameters for the passes that follow.
+  void upload(const shared::Params& params) { onDevice_.upload(params); }
+  std::uint64_t dropped() const { return status_.dropped; }
+  void forgetDropped();
+
+ private:
+  glm::uvec4 regionAround(const Crop& band) const;
+  void compileTrace();
+  void tracePass(const shared::Pass& pass);
+  void dispatchPass(shared::Pass pass);
+  void dispatchSamples(VkCommandBuffer commands, shared::Pass pass) const;
+  void gatherPass(shared::Pass pass);
+  void listWork(const shared::Pass& pass);
+  void dispatchListed(VkCommandBuffer commands, const Kernel& kernel, shared::Pass pass,
+                      const WorkRange& work) const;
+
+  /// log2 of how many samples of a pixel are traced side by side.
+  static constexpr std::array<std::uint32_t, 4> kShifts = {6, 4, 2, 0};
+
+  const Device& device_;
+  const SceneData& data_;
+  const RenderPlan& plan_;
+  const Scene& scene_;
+  const RenderOptions& options_;
+  Stats& stats_;
+  DeviceScene onDevice_;
+  std::optional<Kernel> trace_, gather_;
+  std::string kernel_;
+  SpecConstants constants_{};
+  shared::Status status_{};
+  bool filmIsClear_ = true;
+  std::vector<std::byte> copy_;
+  const SampleMap* map_ = nullptr;
+  std::array<WorkRange, kShifts.size()> tracing_{};  ///< with a map only, as what follows
+  WorkRange gathering_{};
+};
+
+}  // namespace laver

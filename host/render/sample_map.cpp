@@ -1,0 +1,127 @@
+#include "render/sample_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.h"
+#include "render/plan.h"
+
+namespace laver {
+namespace {
+
+constexpr int kCell = SampleMap::kCell;
+/// Pixels around a cell whose noise counts as its own: its samples reach them.
+constexpr int kAround = 1;
+/// A cell gets at least this share of a neighbour's samples.
+constexpr std::uint32_t kShareOfNeighbours = 4;
+
+/// Mean over the pixels of `window` of the pilots' variance, relative to the squared mean where
+/// that is above 1: of the channel where it is largest.
+double varianceIn(std::span<const Image> pilots, Crop area, Crop window) {
+  const auto count = static_cast<double>(pilots.size());
+  double variance[3] = {}, mean[3] = {};
+  for (int y = window.y0; y < window.y1; ++y)
+    for (int x = window.x0; x < window.x1; ++x)
+      for (std::size_t c = 0; c < 3; ++c) {
+        double sum = 0, squares = 0;
+        for (const Image& pilot : pilots)
+          sum += static_cast<double>(pilot.at(x - area.x0, y - area.y0, c));
+        for (const Image& pilot : pilots) {
+          const double away =
+              static_cast<double>(pilot.at(x - area.x0, y - area.y0, c)) - sum / count;
+          squares += away * away;
+        }
+        mean[c] += sum / count;
+        variance[c] += squares / (count - 1);
+      }
+  const double pixels = (window.x1 - window.x0) * (window.y1 - window.y0);
+  double largest = 0;
+  for (int c = 0; c < 3; ++c) {
+    const double white = std::max(1.0, mean[c] / pixels);
+    largest = std::max(largest, variance[c] / pixels / (white * white));
+  }
+  return largest;
+}
+
+std::uint32_t rounded(double samples, std::uint32_t most) {
+  const double steps = std::ceil(std::min(samples, static_cast<double>(most)) / shared::CELL_STEP);
+  return std::clamp(static_cast<std::uint32_t>(steps) * shared::CELL_STEP, shared::CELL_STEP, most);
+}
+
+}  // namespace
+
+Crop cellsOf(Crop pixels) {
+  return {pixels.x0 / kCell, pixels.y0 / kCell, (pixels.x1 + kCell - 1) / kCell,
+          (pixels.y1 + kCell - 1) / kCell};
+}
+
+SampleMap::SampleMap(Crop area, std::uint32_t count)
+    : cells_(cellsOf(area)),
+      counts_(static_cast<std::size_t>(cells_.x1 - cells_.x0) *
+                  static_cast<std::size_t>(cells_.y1 - cells_.y0),
+              count) {}
+
+std::uint32_t SampleMap::most(Crop area) const {
+  const Crop c = cellsOf(area);
+  std::uint32_t result = 0;
+  for (int y = c.y0; y < c.y1; ++y)
+    result = std::max(
+        result, *std::max_element(&counts_[index(c.x0, y)], &counts_[index(c.x1 - 1, y)] + 1));
+  return result;
+}
+
+std::uint64_t SampleMap::samplesOf(Crop area, std::uint32_t most) const {
+  std::uint64_t sum = 0;
+  for (int y = area.y0; y < area.y1; ++y)
+    for (int x = area.x0; x < area.x1; ++x) sum += std::min(pixel(x, y), most);
+  return sum;
+}
+
+std::vector<shared::Count> SampleMap::counts(glm::uvec4 region) const {
+  const Crop c = cellsOf(cropOf(region));
+  std::vector<shared::Count> result;
+  for (int y = c.y0; y < c.y1; ++y)
+    for (int x = c.x0; x < c.x1; ++x) result.push_back({cell(x, y), 0, 0, 0});
+  return result;
+}
+
+Crop pilotArea(Crop area, int width, int height) {
+  // The neighbours of its cells, and the pixels around those.
+  const Crop c = cellsOf(area);
+  const int margin = kCell + kAround;
+  return {std::max(c.x0 * kCell - margin, 0), std::max(c.y0 * kCell - margin, 0),
+          std::min(c.x1 * kCell + margin, width), std::min(c.y1 * kCell + margin, height)};
+}
+
+std::int64_t pilotSeed(std::int64_t seed, int pilot) {
+  // Far from seeds that users count up, and from the blocks that `independent` adds to its seed.
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(seed) +
+                                   0x9e3779b97f4a7c15U * static_cast<std::uint64_t>(pilot + 1));
+}
+
+SampleMap decideSamples(std::span<const Image> pilots, Crop area, double error, std::uint32_t most,
+                        unsigned threads) {
+  SampleMap wanted(area, shared::CELL_STEP);
+  const Crop cells = wanted.cells();
+  const auto rows = static_cast<std::size_t>(cells.y1 - cells.y0);
+  parallelFor(rows, 4, threads, [&](std::size_t begin, std::size_t end) {
+    for (int y = cells.y0 + static_cast<int>(begin); y < cells.y0 + static_cast<int>(end); ++y)
+      for (int x = cells.x0; x < cells.x1; ++x) {
+        const Crop window{std::max(x * kCell - kAround, area.x0),
+                          std::max(y * kCell - kAround, area.y0),
+                          std::min((x + 1) * kCell + kAround, area.x1),
+                          std::min((y + 1) * kCell + kAround, area.y1)};
+        wanted.cell(x, y) = rounded(varianceIn(pilots, area, window) / (error * error), most);
+      }
+  });
+  SampleMap result = wanted;
+  for (int y = cells.y0; y < cells.y1; ++y)
+    for (int x = cells.x0; x < cells.x1; ++x)
+      for (int v = std::max(y - 1, cells.y0); v < std::min(y + 2, cells.y1); ++v)
+        for (int u = std::max(x - 1, cells.x0); u < std::min(x + 2, cells.x1); ++u)
+          result.cell(x, y) = std::max(
+              result.cell(x, y), rounded(wanted.cell(u, v) / double{kShareOfNeighbours}, most));
+  return result;
+}
+
+}  // namespace laver

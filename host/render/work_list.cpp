@@ -1,0 +1,90 @@
+#include "render/work_list.h"
+
+#include <algorithm>
+
+#include "render/plan.h"
+
+namespace laver {
+namespace {
+
+constexpr std::uint32_t kCell = shared::CELL;
+
+/// Work that no pixel of a region has.
+constexpr shared::Work kNone{0x80000000U, 0x80000000U, 0, 0};
+
+/// The list's end from `first` on, `together` a workgroup, filled up to whole rows. Every device
+/// allows 65,535 workgroups a row.
+WorkRange rangeFrom(std::size_t first, std::size_t together, std::vector<shared::Work>& list) {
+  const std::size_t count = (list.size() - first + together - 1) / together;
+  if (count == 0) return {};
+  const std::size_t rows = (count + 65534) / 65535, columns = (count + rows - 1) / rows;
+  list.resize(first + rows * columns * together, kNone);
+  return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(columns),
+          static_cast<std::uint32_t>(rows)};
+}
+
+/// Samples that the pass has of those that a place with `count` gets.
+std::uint32_t samplesOf(const shared::Pass& pass, std::uint32_t count) {
+  return count <= pass.samples.x ? 0 : std::min(count - pass.samples.x, pass.samples.y);
+}
+
+}  // namespace
+
+WorkRange listTracing(const SampleMap& map, const shared::Pass& pass, std::uint32_t shift,
+                      std::vector<shared::Work>& list) {
+  const std::size_t start = list.size();
+  const bool pilot = pass.samples.y < shared::CELL_STEP;
+  if (shift == 6 || pilot != (shift == 0)) return {};
+  const std::uint32_t side = 8U >> shift / 2, together = 1U << shift;
+  const std::uint32_t cell = std::max(side, kCell);
+  // Corners of cells, those of the film or, for pilots, of the region.
+  const std::uint32_t x0 = pilot ? 0 : pass.region.x / kCell * kCell - pass.region.x;
+  const std::uint32_t y0 = pilot ? 0 : pass.region.y / kCell * kCell - pass.region.y;
+  const std::uint32_t columns = (pass.region.z - x0 + cell - 1) / cell;
+  const std::uint32_t rows = (pass.region.w - y0 + cell - 1) / cell, stride = rowStride(rows);
+  for (std::uint32_t i = 0; i < rows; ++i) {
+    const std::uint32_t y =
+        y0 + static_cast<std::uint32_t>(std::uint64_t{i} * stride % rows) * cell;
+    for (std::uint32_t x = x0; x != x0 + columns * cell; x += cell) {
+      std::uint32_t s = 0, end = 1;
+      if (!pilot) {
+        const std::uint32_t has = samplesOf(pass, map.pixel(static_cast<int>(pass.region.x + x),
+                                                            static_cast<int>(pass.region.y + y)));
+        s = shift == 4 ? 0 : has / 16 * 16;
+        end = shift == 4 ? has / 16 * 16 : has;
+      }
+      for (; s < end; s += together)
+        for (std::uint32_t v = 0; v < cell; v += side)
+          for (std::uint32_t u = 0; u < cell; u += side) list.push_back({x + u, y + v, s, 0});
+    }
+  }
+  return rangeFrom(start, 1, list);
+}
+
+WorkRange listGathering(const SampleMap& map, const shared::Pass& pass, std::uint32_t apron,
+                        std::vector<shared::Work>& list) {
+  constexpr std::uint32_t kColumns = shared::STRIP_COLUMNS, kRows = shared::STRIP_ROWS;
+  constexpr std::uint32_t kTogether = shared::GATHER_GROUP / kColumns;
+  const std::size_t start = list.size();
+  const Crop region = cropOf(pass.region);
+  const int reach = static_cast<int>(apron);
+  // A strip may begin up to kColumns - 1 columns before (gather.comp).
+  const std::uint32_t end = pass.core.z + kColumns - 1;
+  for (std::uint32_t row = 0; row * kRows < pass.core.w; ++row)
+    for (std::uint32_t column = 0; column * kColumns < end; ++column) {
+      const int x = static_cast<int>(pass.core.x + column * kColumns);
+      const int y = static_cast<int>(pass.core.y + row * kRows);
+      const Crop seen{std::max(x - static_cast<int>(kColumns) + 1 - reach, region.x0),
+                      std::max(y - reach, region.y0),
+                      std::min(x + static_cast<int>(kColumns) + reach, region.x1),
+                      std::min(y + static_cast<int>(kRows) + reach, region.y1)};
+      const std::uint32_t samples = samplesOf(pass, map.most(seen));
+      if (samples != 0) list.push_back({column, row, samples, 0});
+    }
+  // Lanes of one subgroup wait for the one with most samples.
+  std::stable_sort(list.begin() + static_cast<std::ptrdiff_t>(start), list.end(),
+                   [](const auto& a, const auto& b) { return a.number > b.number; });
+  return rangeFrom(start, kTogether, list);
+}
+
+}  // namespace laver

@@ -1,0 +1,22 @@
+#pragma once
+#include <vector>
+
+#include "render/sample_map.h"
+
+namespace laver {
+
+/// The workgroups of a dispatch in a list of work, as rows that a device's limit allows.
+struct WorkRange {
+  std::uint32_t first, columns, rows;
+};
+
+/// Lists what is to be traced of a pass by workgroups of 2^shift samples side by side: as many of a
+/// cell's samples as go by 16, the rest by 4; of passes of less than CELL_STEP, all, one by one.
+WorkRange listTracing(const SampleMap& map, const shared::Pass& pass, std::uint32_t shift,
+                      std::vector<shared::Work>& list);
+
+/// Lists the strips of the core that samples of a pass reach.
+WorkRange listGathering(const SampleMap& map, const shared::Pass& pass, std::uint32_t apron,
+                        std::vector<shared::Work>& list);
+
+}  // namespace laver

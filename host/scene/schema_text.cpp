@@ -1,0 +1,105 @@
+#include "scene/schema_text.h"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "scene/schema.h"
+
+namespace laver {
+namespace {
+
+using namespace xml;
+
+std::string needOf(const TagRule& rule) {
+  if (rule.need == Need::Always) return "every integrator";
+  return rule.need == Need::Shading ? "integrators that shade" : "none";
+}
+
+nlohmann::json propertyJson(const PropertyRule& rule) {
+  nlohmann::json json{{"name", rule.name}, {"type", tagOf(rule.type)}};
+  json["required"] = rule.fallback == nullptr;
+  if (rule.fallback != nullptr) json["default"] = rule.fallback;
+  return json;
+}
+
+nlohmann::json elementJson(const TagRule& tag) {
+  nlohmann::json json{{"tag", tag.tag}, {"many", tag.many}, {"neededBy", needOf(tag)}};
+  json["in"] = nlohmann::json::array();
+  std::istringstream parents(tag.parents);
+  for (std::string parent; parents >> parent;) json["in"].push_back(parent);
+  json["types"] = nlohmann::json::array();
+  for (const ObjectRule& object : objectRules()) {
+    if (object.tag != std::string_view(tag.tag)) continue;
+    nlohmann::json properties = nlohmann::json::array();
+    for (const PropertyRule& property : object.properties)
+      properties.push_back(propertyJson(property));
+    json["types"].push_back({{"type", object.type}, {"properties", properties}});
+  }
+  return json;
+}
+
+std::string propertyLine(const nlohmann::json& property) {
+  std::string value = "required";
+  if (!property["required"]) {
+    value = property["default"];
+    if (value.empty()) value = "identity";
+  }
+  return fmt::format("    {:<12} {:<10} {}\n", property["name"].get<std::string>(),
+                     property["type"].get<std::string>(), value);
+}
+
+std::string elementText(const nlohmann::json& element) {
+  std::string places;
+  for (const std::string place : element["in"])
+    places += fmt::format("{}<{}>", places.empty() ? "in " : " or ", place);
+  std::string text =
+      fmt::format("<{} type=\"...\">  {}, {}; needed by {}\n", element["tag"].get<std::string>(),
+                  places.empty() ? "anywhere" : places, element["many"] ? "any number" : "one",
+                  element["neededBy"].get<std::string>());
+  if (element["types"].empty()) text += "  laver has no type of it\n";
+  for (const auto& type : element["types"]) {
+    text += fmt::format("  {}\n", type["type"].get<std::string>());
+    for (const auto& property : type["properties"]) text += propertyLine(property);
+  }
+  return text + '\n';
+}
+
+}  // namespace
+
+nlohmann::json schemaJson() {
+  nlohmann::json json;
+  json["propertyTypes"] = nlohmann::json::array();
+  for (const PropertyType type : propertyTypes()) json["propertyTypes"].push_back(tagOf(type));
+  json["elements"] = nlohmann::json::array();
+  for (const TagRule& tag : tagRules()) json["elements"].push_back(elementJson(tag));
+  json["transform"] = nlohmann::json::array();
+  for (const OperationRule& operation : operationRules()) {
+    nlohmann::json attributes = nlohmann::json::array();
+    for (const OperationAttribute& attribute : operation.attributes)
+      attributes.push_back({{"name", attribute.name}, {"numbers", attribute.numbers}});
+    json["transform"].push_back({{"tag", operation.tag}, {"attributes", attributes}});
+  }
+  return json;
+}
+
+std::string schemaText() {
+  const nlohmann::json json = schemaJson();
+  std::string text =
+      "What stands in a <scene>. Under each type: its properties, <TYPE name=\"NAME\" "
+      "value=\"...\"/>, as\nNAME TYPE DEFAULT.\n\n";
+  for (const auto& element : json["elements"]) text += elementText(element);
+  text += "<transform name=\"NAME\">  holds operations; the first written applies first\n";
+  for (const auto& operation : json["transform"]) {
+    text += fmt::format("  <{}", operation["tag"].get<std::string>());
+    for (const auto& attribute : operation["attributes"]) {
+      const auto count = attribute["numbers"].get<std::size_t>();
+      text += fmt::format(" {}=\"{} number{}\"", attribute["name"].get<std::string>(), count,
+                          count == 1 ? "" : "s");
+    }
+    text += "/>\n";
+  }
+  return text;
+}
+
+}  // namespace laver

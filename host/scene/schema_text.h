@@ -1,0 +1,16 @@
+#pragma once
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace laver {
+
+/// Every element, type, property and default that the reader of scenes knows, from its own tables.
+/// {"elements": [{"tag", "in": [tags], "many", "neededBy", "types": [{"type", "properties":
+/// [{"name", "type", "required", "default"}]}]}], "propertyTypes": [tags],
+///  "transform": [{"tag", "attributes": [{"name", "numbers"}]}]}
+nlohmann::json schemaJson();
+
+/// The same for people.
+std::string schemaText();
+
+}  // namespace laver

@@ -1,0 +1,22 @@
+// Gathering on CPU drivers, APRON <= 4: an invocation sums for a strip of 8 columns, so that it
+// weighs a sample once for all of them.
+#ifndef LAVER_GATHER_STRIP
+#define LAVER_GATHER_STRIP
+#include "gathered.glsl"
+
+const uint COLUMNS = 8u;
+
+// Adds samples number s of a row of pixels to what they reach of columns x to x + 7 of the region.
+void addRow(inout vec4 sums[COLUMNS][REACH], int x, int row, uint s) {
+  const uint WIDTH = COLUMNS + 2u * APRON;
+  Gathered g[WIDTH];  // read at once, so that few wait for memory
+  [[unroll]] for (uint i = 0u; i < WIDTH; ++i) g[i] = gathered(x + int(i) - int(APRON), row, s);
+  [[unroll]] for (uint i = 0u; i < WIDTH; ++i) {
+    float wx[REACH], wy[REACH];
+    weigh(g[i], wx, wy);
+    [[unroll]] for (uint c = 0u; c < COLUMNS; ++c)
+      if (c <= i && i - c < REACH) addSample(sums[c], g[i].value.rgb, wx[2u * APRON + c - i], wy);
+  }
+}
+
+#endif

@@ -1,0 +1,49 @@
+// Directions on the hemisphere of a unit normal, from two uniform numbers. They need no frame of
+// tangents, which would turn by a jump somewhere: a small change of the normal is a small change of
+// the direction.
+#ifndef LAVER_SHARED_DIRECTION_H
+#define LAVER_SHARED_DIRECTION_H
+#include "point.h"
+
+LAVER_SHARED_BEGIN
+
+// Cosine and sine of 2 pi x for x in [0, 1], within 2e-7; drivers' own may be off by 2^-11. What is
+// left of x beside quarter turns is exact; Taylor polynomials are off by 3e-8 there.
+LAVER_FN vec2 cosSinOfTurn(float x) {
+  const uint quarters = uint(4.0f * x + 0.5f);
+  LAVER_PRECISE float angle = (4.0f * x - float(quarters)) * 1.57079633f;
+  LAVER_PRECISE float a2 = angle * angle;
+  LAVER_PRECISE float s =
+      angle *
+      (1.0f + a2 * (-1.0f / 6.0f + a2 * (1.0f / 120.0f + a2 * (-1.0f / 5040.0f + a2 / 362880.0f))));
+  LAVER_PRECISE float c =
+      1.0f + a2 * (-0.5f + a2 * (1.0f / 24.0f + a2 * (-1.0f / 720.0f + a2 * (1.0f / 40320.0f))));
+  const vec2 turned = (quarters & 1u) == 0u ? vec2(c, s) : vec2(-s, c);
+  return (quarters & 2u) == 0u ? turned : -turned;
+}
+
+// Uniform on the sphere: its height is uniform (Archimedes).
+LAVER_FN vec3 sphereDirection(vec2 numbers) {
+  LAVER_PRECISE float radius = 2.0f * sqrt(numbers.x * (1.0f - numbers.x));
+  const vec2 turn = cosSinOfTurn(numbers.y);
+  LAVER_PRECISE vec3 d = vec3(turn.x * radius, turn.y * radius, 1.0f - 2.0f * numbers.x);
+  return d;
+}
+
+// Uniform on the hemisphere: what points below is mirrored.
+LAVER_FN vec3 uniformDirection(vec3 normal, vec2 numbers) {
+  const vec3 d = sphereDirection(numbers);
+  const float below = 2.0f * lesser(dotProduct(normal, d), 0.0f);
+  LAVER_PRECISE vec3 mirrored = d - normal * below;
+  return mirrored;
+}
+
+// With density cosine / pi: seen from the foot of the normal, a sphere around its tip shows as much
+// of itself.
+LAVER_FN vec3 cosineDirection(vec3 normal, vec2 numbers) {
+  return unitOr(normal + sphereDirection(numbers), normal);
+}
+
+LAVER_SHARED_END
+
+#endif
