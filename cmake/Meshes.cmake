@@ -6,7 +6,7 @@ if(NOT LAVER_BUNNY)
 endif()
 
 set(LAVER_MESH_FOLDER ${CMAKE_SOURCE_DIR}/scenes/meshes)
-set(LAVER_MADE_MESHES plane block room room-left room-right torus wavy-sphere trefoil)
+set(LAVER_MADE_MESHES plane sheet block room room-left room-right torus wavy-sphere trefoil)
 list(TRANSFORM LAVER_MADE_MESHES PREPEND ${LAVER_MESH_FOLDER}/)
 list(TRANSFORM LAVER_MADE_MESHES APPEND .obj)
 
@@ -25,4 +25,17 @@ add_custom_command(
   DEPENDS ${LAVER_BUNNY}
   COMMENT "Copying the bunny of the ready scenes"
   VERBATIM)
-add_custom_target(laver_meshes ALL DEPENDS ${LAVER_MADE_MESHES} ${LAVER_MESH_FOLDER}/bunny.obj)
+
+# scenes/images/: what scenes/make_images.cpp writes.
+set(LAVER_IMAGE_FOLDER ${CMAKE_SOURCE_DIR}/scenes/images)
+set(LAVER_MADE_IMAGES ${LAVER_IMAGE_FOLDER}/waves.png ${LAVER_IMAGE_FOLDER}/sky.exr)
+add_executable(make_images scenes/make_images.cpp)
+target_link_libraries(make_images PRIVATE laver_host laver_warnings)
+add_custom_command(
+  OUTPUT ${LAVER_MADE_IMAGES}
+  COMMAND make_images ${LAVER_IMAGE_FOLDER}
+  DEPENDS scenes/make_images.cpp
+  COMMENT "Making the pictures of the ready scenes"
+  VERBATIM)
+add_custom_target(laver_meshes ALL
+  DEPENDS ${LAVER_MADE_MESHES} ${LAVER_MESH_FOLDER}/bunny.obj ${LAVER_MADE_IMAGES})

@@ -54,9 +54,15 @@ std::span<const std::uint32_t> @lookup@(const std::string& kernel) {
 endmacro()
 
 # Each is compiled for both traversals: for any device, and for subgroups of 8 lanes that shuffle.
+# Those that show textures or a background are compiled with and without them.
+set(LAVER_TEXTURED_KERNELS albedo direct_whitted)
 foreach(kernel IN LISTS LAVER_KERNELS)
   get_filename_component(name ${kernel} NAME_WE)
   laver_kernel(${name}_lane ${kernel})
   laver_kernel(${name}_packet ${kernel} -DLAVER_PACKET)
+  if(name IN_LIST LAVER_TEXTURED_KERNELS)
+    laver_kernel(${name}_textured_lane ${kernel} -DLAVER_TEXTURES)
+    laver_kernel(${name}_textured_packet ${kernel} -DLAVER_TEXTURES -DLAVER_PACKET)
+  endif()
 endforeach()
 laver_kernel_library(laver_shaders spirvOf)

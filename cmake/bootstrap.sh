@@ -8,7 +8,7 @@ build=$root/build
 
 packages='
   ca-certificates cmake g++ glmark2-data glslang-tools libcli11-dev libdeflate-dev libembree-dev
-  libfmt-dev libglm-dev libgtest-dev libopenexr-dev libpng-dev libpugixml-dev libtinyobjloader-dev
+  libfmt-dev libglm-dev libgtest-dev libjpeg62-turbo-dev libopenexr-dev libpng-dev libpugixml-dev libtinyobjloader-dev
   libvulkan-dev libvulkan-volk-dev libvulkan1 mesa-vulkan-drivers ninja-build nlohmann-json3-dev
   spirv-tools vulkan-validationlayers'
 checkPackages='clang clang-format clang-tidy dpkg-dev file gcovr libclang-rt-dev'
@@ -106,6 +106,7 @@ check() {
   buildPreset fuzz
   fuzz scene
   fuzz obj
+  fuzz picture
   echo 'All checks passed.'
 }
 

@@ -34,6 +34,28 @@ std::vector<int> integers(const std::string& option, const std::string& text, ch
   return values;
 }
 
+/// What the names in `text`, with commas between, stand for; each once.
+template <class T>
+std::vector<T> named(const std::string& option, const std::string& text,
+                     std::optional<T> (*find)(const std::string&), const std::string& expected) {
+  std::vector<T> all;
+  std::istringstream in(text + ',');
+  for (std::string name; std::getline(in, name, ',');) {
+    const std::optional<T> one = find(name);
+    if (!one) throw CLI::ValidationError(option, "expected " + expected + ", not \"" + name + '"');
+    if (std::find(all.begin(), all.end(), *one) != all.end())
+      throw CLI::ValidationError(option, name + " is named twice");
+    all.push_back(*one);
+  }
+  return all;
+}
+
+std::string layerList() {
+  std::string list;
+  for (const char* name : layerNames()) list += std::string(list.empty() ? "" : ", ") + name;
+  return list;
+}
+
 /// The options that change how a scene is rendered.
 void addSceneOptions(CLI::App& app, SceneCommand& command) {
   app.add_option("scene", command.scene, "Nori scene, SCENE.xml")->type_name("SCENE.xml");
@@ -47,16 +69,15 @@ void addSceneOptions(CLI::App& app, SceneCommand& command) {
   app.add_option("--seed", command.overrides.seed, "seed of the sampler");
   app.add_option_function<std::string>(
          "--integrator",
-         [&](const std::string& name) {
-           command.overrides.integrator = integratorFromName(name);
-           if (!command.overrides.integrator)
-             throw CLI::ValidationError("--integrator",
-                                        "expected normals, direct_whitted, depth, "
-                                        "av or ao, not " +
-                                            name);
+         [&](const std::string& text) {
+           const auto all = named("--integrator", text, integratorFromName,
+                                  "normals, direct_whitted, depth, av or ao");
+           command.overrides.integrator = all.front();
+           command.options.more.assign(all.begin() + 1, all.end());
          },
-         "normals, direct_whitted, depth, av or ao")
-      ->type_name("NAME");
+         "normals, direct_whitted, depth, av or ao; further ones, after commas, go beside it as "
+         "layers")
+      ->type_name("NAME,...");
   app.add_option_function<std::string>(
          "--sampler",
          [&](const std::string& name) {
@@ -67,6 +88,13 @@ void addSceneOptions(CLI::App& app, SceneCommand& command) {
          },
          "independent, stratified or sobol")
       ->type_name("NAME");
+  app.add_option_function<std::string>(
+         "--layers",
+         [&](const std::string& text) {
+           command.options.layers = named("--layers", text, layerFromName, layerList());
+         },
+         "layers of the EXR file: " + layerList())
+      ->type_name("NAME,...");
   app.add_option_function<std::string>(
          "--size",
          [&](const std::string& text) {
@@ -85,7 +113,8 @@ void addSceneOptions(CLI::App& app, SceneCommand& command) {
       ->type_name("x0,y0,x1,y1");
   app.add_option("--device", command.vulkan.device, "index, part of the name, or cpu");
   app.add_option("--traversal", command.vulkan.traversal, "lane or packet");
-  app.add_flag("--nori-compat", command.options.noriCompat, "filter weights from Nori's table");
+  app.add_flag("--nori-compat", command.options.noriCompat,
+               "as Nori: filter weights from a table, pictures of 8 bits taken for linear");
   app.add_option("-t,--threads", command.options.threads, "threads, 0 for all")
       ->check(CLI::Range(0U, 4096U));
 }
@@ -101,6 +130,17 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
   app.add_flag_callback(
       "--stats", [&] { command.stats = true; },
       "print figures to stderr; --stats=FILE.json writes them");
+  app.add_option_function<std::string>(
+         "--display-server",
+         [&](const std::string& text) {
+           try {
+             command.displayServer = viewerAddress(text);
+           } catch (const Error& error) {
+             throw CLI::ValidationError(error.what());
+           }
+         },
+         "show the picture in tev or HDRView while it renders")
+      ->type_name("HOST:PORT");
   app.add_flag("-q,--quiet", command.quiet, "print nothing but warnings and errors");
   app.add_flag_callback(
       "-b,--nogui,--no-gui", [] {}, "accepted as Nori does; there is no window");

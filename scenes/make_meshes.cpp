@@ -182,6 +182,10 @@ void makeMeshes(const std::filesystem::path& folder) {
   const Vec x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   const Vec right = -1.0 * x, down = -1.0 * y, back = -1.0 * z;
   save(folder / "plane.obj", flatQuads({quad({}, z, x)}));
+  // The plane with texture coordinates: u along x, v away from +z.
+  save(folder / "sheet.obj",
+       "v -1 0 1\nv 1 0 1\nv 1 0 -1\nv -1 0 -1\n"
+       "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n");
   save(folder / "block.obj", flatQuads({quad(x, y, z), quad(y, z, x), quad(z, x, y),
                                         quad(right, z, y), quad(down, x, z), quad(back, y, x)}));
   // The inside of the cube [-1, 1]^3, open towards +z.

@@ -1,15 +1,33 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "integrator.glsl"
+#ifdef LAVER_TEXTURES
+#include "background.glsl"
+#endif
 
 // Direct light of point lights on Lambertian surfaces: sum of radiance / distance^2 * cos * albedo
-// / pi over the lights that the hit sees.
+// / pi over the lights that the hit sees; where nothing is hit, the background.
 void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
+#ifdef LAVER_TEXTURES
+  if (BACKGROUND != BACKGROUND_BLACK && pass.lights.z != 0u) {
+    FOR_RAYS (uint r = 0u; r < R; ++r)
+      if (hits.slot[r] == NO_HIT) radiance[r] = backgroundAt(rays.direction[r]);
+  }
+#endif
   if (LIGHTS == LIGHTS_NONE) return;
   Surface surfaces[R];
   FOR_RAYS (uint r = 0u; r < R; ++r)
     surfaces[r] =
         surfaceAt(rays.origin, rays.direction[r], hits.slot[r] == NO_HIT ? 0u : hits.slot[r]);
+
+#ifdef LAVER_TEXTURES
+  // A texture is looked up once, not for each light.
+  vec3 albedo[R];
+  FOR_RAYS (uint r = 0u; r < R; ++r) albedo[r] = albedoOf(surfaces[r]);
+#define ALBEDO(r) albedo[r]
+#else
+#define ALBEDO(r) albedoOf(surfaces[r])
+#endif
 
   for (uint i = 0u; i < pass.lights.y; ++i) {
     const int texel = int((pass.lights.x + i) * 2u);
@@ -33,8 +51,7 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
     visible(light, points, live, seen);
     FOR_RAYS (uint r = 0u; r < R; ++r) {
       const vec3 irradiance = power / squared[r] * cosine[r];
-      if (seen[r] && (lit[r] || !DARK_SIDES))
-        radiance[r] += irradiance * albedoOf(surfaces[r]) * 0.31830989;
+      if (seen[r] && (lit[r] || !DARK_SIDES)) radiance[r] += irradiance * ALBEDO(r) * 0.31830989;
     }
   }
 }

@@ -56,6 +56,9 @@ bool finiteAndNotNegative(float x) {
 }
 
 bool usable(vec3 v) {
+#ifdef LAVER_SIGNED
+  v = abs(v);
+#endif
   return finiteAndNotNegative(v.r) && finiteAndNotNegative(v.g) && finiteAndNotNegative(v.b);
 }
 
@@ -71,7 +74,11 @@ void main() {
     rays.live[r] = all(lessThan(place.xy, pass.region.zw));
     slot[r] = rays.live[r] ? sampleSlot(place) : 0;
     const uvec2 pixel = pass.region.xy + place.xy;
+#ifdef LAVER_CENTRES
+    const vec2 film = vec2(pixel) + 0.5;
+#else
     const vec2 film = filmPosition(pixel, pass.samples.x + place.z);
+#endif
     precise vec2 offset = film - vec2(pixel);
     inside[r] = offset;
     rays.direction[r] = cameraDirection(film);

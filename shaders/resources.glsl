@@ -13,6 +13,11 @@ layout(constant_id = SPEC_APRON) const uint APRON = 2;
 layout(constant_id = SPEC_NORI_TABLE) const bool NORI_TABLE = false;
 layout(constant_id = SPEC_SAMPLER) const uint SAMPLER = SAMPLER_INDEPENDENT;
 layout(constant_id = SPEC_ADAPTIVE) const bool ADAPTIVE = false;
+// Of kernels with LAVER_TEXTURES alone, which scenes without textures and background do not use:
+// to leave the code out by these constants takes drivers 10 to 20 ms of their compiling.
+layout(constant_id = SPEC_TEXTURES) const uint TEXTURES = 3;
+layout(constant_id = SPEC_IMAGES) const uint IMAGES = 3;
+layout(constant_id = SPEC_BACKGROUND) const uint BACKGROUND = BACKGROUND_IMAGE;
 layout(constant_id = SPEC_HITS) const bool HAS_HITS = true;
 layout(constant_id = SPEC_DARK_SIDES) const bool DARK_SIDES = false;
 
@@ -39,6 +44,9 @@ layout(binding = BIND_SAMPLE_TEXELS) uniform samplerBuffer sampleTexels;
 layout(binding = BIND_SAMPLE_Y_TEXELS) uniform samplerBuffer sampleYTexels;
 layout(binding = BIND_COUNTS) uniform usamplerBuffer countTexels;
 layout(binding = BIND_WORK) uniform usamplerBuffer workTexels;
+layout(binding = BIND_TEXTURES) uniform usamplerBuffer textureTexels;
+layout(binding = BIND_UVS) uniform usamplerBuffer uvTexels;
+layout(binding = BIND_IMAGES) uniform usamplerBuffer imageTexels;
 
 vec3 texelVec3(uvec4 texel) { return uintBitsToFloat(texel.xyz); }
 

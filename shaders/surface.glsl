@@ -3,6 +3,9 @@
 #define LAVER_SURFACE
 #include "resources.glsl"
 #include "shared/point.h"
+#ifdef LAVER_TEXTURES
+#include "texture.glsl"
+#endif
 
 struct Surface {
   vec3 position;   // shared/point.h
@@ -11,11 +14,14 @@ struct Surface {
   float t;
   float offset;
   uint material;
+  vec3 weights;    // of the corners
+  uint id;
 };
 
 Surface surfaceAt(vec3 origin, vec3 direction, uint slot) {
   const int texel = int(slot * 3u);
-  const vec3 a = texelVec3(texelFetch(triangleTexels, texel));
+  const uvec4 first = texelFetch(triangleTexels, texel);
+  const vec3 a = texelVec3(first);
   const vec3 b = texelVec3(texelFetch(triangleTexels, texel + 1));
   const uvec4 last = texelFetch(triangleTexels, texel + 2);
   const Point p = pointAt(origin, direction, a, b, texelVec3(last), last.w != 0u);
@@ -27,12 +33,14 @@ Surface surfaceAt(vec3 origin, vec3 direction, uint slot) {
   s.offset = p.offset;
   s.normal = p.geometric;
   s.material = 0u;
+  s.weights = p.weights;
+  s.id = first.w;
   if (HAS_NORMALS || HAS_ALBEDOS) {
     const uvec4 attributes = texelFetch(attributeTexels, int(slot));
-    s.material = HAS_NORMALS ? attributes.w : attributes.x;
+    s.material = attributes.x;
     if (HAS_NORMALS) {
-      const bool smoothed = attributes.x != NO_NORMAL;
-      const ivec3 index = ivec3(attributes.xyz);
+      const bool smoothed = attributes.y != NO_NORMAL;
+      const ivec3 index = ivec3(attributes.yzw);
       const vec3 na = texelVec3(texelFetch(normalTexels, index.x));
       const vec3 nb = texelVec3(texelFetch(normalTexels, index.y));
       const vec3 nc = texelVec3(texelFetch(normalTexels, index.z));
@@ -49,6 +57,9 @@ vec3 beside(Surface s, vec3 way) {
 }
 
 vec3 albedoOf(Surface s) {
+#ifdef LAVER_TEXTURES
+  if (TEXTURES != 0u) return textureAt(s.material, s.id, s.weights);
+#endif
   if (!HAS_ALBEDOS) return params.albedo.rgb;
   return texelVec3(texelFetch(materialTexels, int(s.material)));
 }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "display/connection.h"
 #include "render/renderer.h"
 #include "scene/render_options.h"
 #include "scene/scene.h"
@@ -26,6 +27,7 @@ struct RenderCommand : SceneCommand {
   bool stats = false;
   std::string statsFile;
   bool quiet = false;
+  std::optional<ViewerAddress> displayServer;  ///< of a viewer that shows the picture grow
 };
 
 /// `laver plan SCENE.xml`.
@@ -53,6 +55,10 @@ ExitCode run(const PlanCommand& command);
 ExitCode runDevices();
 /// `laver schema`.
 ExitCode runSchema(bool json);
+
+/// What a command changes in its scene. What is rendered beside the scene's picture asks for
+/// materials and lights too.
+SceneOverrides overridesOf(const SceneCommand& command);
 
 /// Throws Error(Usage) where a scene cannot be rendered with such options.
 void checkOptions(const SceneCommand& command, const Scene& scene);

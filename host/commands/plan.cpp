@@ -8,7 +8,7 @@
 namespace laver {
 
 ExitCode run(const PlanCommand& command) {
-  const LoadedScene loaded = loadScene(command.scene, command.overrides);
+  const LoadedScene loaded = loadScene(command.scene, overridesOf(command));
   for (const auto& warning : loaded.warnings) std::cerr << warning << '\n';
   checkOptions(command, loaded.scene);
   const Instance instance(false);

@@ -16,10 +16,12 @@
 #include "commands/progress.h"
 #include "commands/resume.h"
 #include "commands/standard_output.h"
+#include "display/display_server.h"
 #include "image/atomic_file.h"
 #include "image/io.h"
 #include "reference/reference.h"
 #include "render/sample_map.h"
+#include "scene/schema.h"
 
 namespace laver {
 namespace {
@@ -48,12 +50,30 @@ void checkError(const RenderCommand& command) {
                 "where every pixel gets as many samples");
 }
 
+/// Channels beside the picture's own three.
+std::size_t layerChannels(const RenderOptions& options) {
+  std::size_t count = centreChannels(options.layers).size();
+  for (const Shown& shown : shownBeside(options.more, options.layers))
+    count += shown.channels.size();
+  return count + (asks(options.layers, Layer::Samples) ? 1 : 0);
+}
+
+void warnOfMissingUvs(const RenderOptions& options, const Scene& scene) {
+  if (!asks(options.layers, Layer::Uv)) return;
+  for (const Mesh& mesh : scene.meshes)
+    if (mesh.uvs.empty())
+      std::cerr << fmt::format(
+          "laver: warning: \"{}\" has no texture coordinates; layer uv is 0 there\n", mesh.name);
+}
+
 /// The picture and its files are made in memory; measured at 16384 x 16384: 20 bytes a pixel. Sums
 /// that are kept are 32 more, and their file as many again.
 void checkMemory(const RenderCommand& command, const Camera& camera) {
   const Crop film = command.options.crop.value_or(Crop{0, 0, camera.width, camera.height});
-  const std::uint64_t needed = (command.resume ? 88 : 24) *
-                               static_cast<std::uint64_t>(film.x1 - film.x0) *
+  // A layer's: 4 bytes a channel, once more while layers are put together, and the file's.
+  const std::uint64_t bytes = (command.resume ? 88 : 24) + 12 * layerChannels(command.options) +
+                              (command.displayServer ? 12 : 0);
+  const std::uint64_t needed = bytes * static_cast<std::uint64_t>(film.x1 - film.x0) *
                                static_cast<std::uint64_t>(film.y1 - film.y0);
   const std::uint64_t there = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
                               static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
@@ -101,8 +121,15 @@ void writeStats(const RenderCommand& command, const Stats& stats) {
 
 /// Renders with `renderer`, or the reference where there is none.
 Image render(const RenderCommand& command, const Scene& scene, Renderer* renderer, FilmState& state,
-             Stats& stats) {
+             Stats& stats, DisplayServer* display) {
   RenderOptions options = command.options;
+  // Adaptive sampling leaves its map beside the picture.
+  if (options.error > 0.0 && !asks(options.layers, Layer::Samples))
+    options.layers.push_back(Layer::Samples);
+  if (display != nullptr)
+    options.watcher.rowsChanged = [&](const Image& picture, int firstRow, int endRow) {
+      display->rowsChanged(picture, firstRow, endRow);
+    };
   Progress progress(!command.quiet);
   options.progress = [&](double share) { progress.show(share); };
   options.stop = Interruption::noted;
@@ -167,6 +194,14 @@ Error interrupted(const std::string& what) { return {Interruption::code(), "inte
 
 }  // namespace
 
+SceneOverrides overridesOf(const SceneCommand& command) {
+  SceneOverrides overrides = command.overrides;
+  overrides.noriCompat = command.options.noriCompat;
+  for (const Shown& shown : shownBeside(command.options.more, command.options.layers))
+    overrides.shading = overrides.shading || xml::shades(shown.integrator);
+  return overrides;
+}
+
 void checkOptions(const SceneCommand& command, const Scene& scene) {
   const Camera& camera = scene.camera;
   if (const auto& crop = command.options.crop;
@@ -196,9 +231,10 @@ ExitCode run(const RenderCommand& command) {
   }
 
   Stats stats;
-  const LoadedScene loaded = loadScene(command.scene, command.overrides);
+  const LoadedScene loaded = loadScene(command.scene, overridesOf(command));
   const Scene& scene = loaded.scene;
   for (const auto& warning : loaded.warnings) std::cerr << warning << '\n';
+  warnOfMissingUvs(command.options, scene);
   checkOptions(command, scene);
   checkError(command);
   checkMemory(command, scene.camera);
@@ -210,13 +246,16 @@ ExitCode run(const RenderCommand& command) {
   if (Interruption::noted()) throw interrupted(nothing);
 
   FilmState state = stateOf(command, stateFile, scene.camera);
+  std::optional<DisplayServer> display;
+  if (command.displayServer) display.emplace(*command.displayServer, wanted.string());
   if (!command.quiet) std::cout << "Configuration: " << describe(scene) << "\nRendering .. ";
   flushStandardOutput();  // better now than after a long render
   const auto renderStart = Clock::now();
-  const Image image = render(command, scene, renderer.get(), state, stats);
+  const Image image =
+      render(command, scene, renderer.get(), state, stats, display ? &*display : nullptr);
   const double renderSeconds = since(renderStart);
   const Reached& reached = stats.reached;
-  const bool whole = reached.wholeRows == image.height;
+  const bool whole = reached.wholeRows == image.height && reached.unfinished == 0;
   if (!command.quiet)
     std::cout << fmt::format("{}. (took {})\n", whole ? "done" : "stopped",
                              timeText(renderSeconds));
@@ -234,9 +273,6 @@ ExitCode run(const RenderCommand& command) {
                              exr.string());
   writePictures(exr, image, metadataOf(scene, stats, renderSeconds, whole),
                 command.options.threads);
-  if (!stats.adaptive.samples.pixels.empty())
-    writeExr(std::filesystem::path(exr).replace_extension(".samples.exr").string(),
-             stats.adaptive.samples, {}, command.options.threads);
   const bool sobol = scene.sampler.kind == Sampler::Kind::Sobol;
   const std::string goOn =
       leaveState(command, stateFile, state, !whole || (command.resume && sobol));
@@ -246,9 +282,11 @@ ExitCode run(const RenderCommand& command) {
   writeStats(command, stats);
   flushStandardOutput();
   if (whole) return ExitCode::Ok;
-  throw interrupted(fmt::format("with {} of {} samples a pixel in {} of {} rows; see \"{}\"{}",
+  const std::string beside =
+      reached.unfinished == 0 ? "" : fmt::format(", {} layers unfinished", reached.unfinished);
+  throw interrupted(fmt::format("with {} of {} samples a pixel in {} of {} rows{}; see \"{}\"{}",
                                 reached.samples, scene.sampler.sampleCount, reached.rows,
-                                image.height, exr.string(), goOn));
+                                image.height, beside, exr.string(), goOn));
 }
 
 }  // namespace laver

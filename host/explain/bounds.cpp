@@ -7,9 +7,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "explain/texture_bounds.h"
+
 namespace laver {
 namespace {
 
+using glm::dvec2;
 using glm::dvec3;
 constexpr double e = 0x1p-24;
 
@@ -47,6 +50,9 @@ double BoundsOf::pixelsAt(double distance) const {
   return 32.0 * e * reach_ / (distance * space_.scale) * pixelsAcross_;
 }
 
+// Three columns and a film position, the matrix to the picture, and 4 ulp of half a turn: 32 e.
+double BoundsOf::pixelsOfBackground() const { return 32.0 * e * pixelsAcross_; }
+
 Bounds BoundsOf::at(std::uint32_t id, double u, double v) const {
   const auto [mesh, t] = placeOf(id);
   const std::array<int, 3> corner{0, 1, 2};
@@ -78,14 +84,26 @@ Bounds BoundsOf::at(std::uint32_t id, double u, double v) const {
     b.normal = (8.0 * e + turn * (shift + 4.0 * e) / height) / length;
     if (length < 0.1) b.cause = "vertex normals that nearly cancel";
   }
+  TextureBounds albedo{largest(mesh->bsdf.albedo), 0.0};
+  if (mesh->bsdf.texture) {
+    std::array<dvec2, 3> uv{dvec2(0.0, 0.0), dvec2(1.0, 0.0), dvec2(0.0, 1.0)};
+    for (const int i : corner)
+      if (!mesh->uvs.empty()) uv[static_cast<std::size_t>(i)] = mesh->uvs[t[i]];
+    const dvec2 low = glm::min(uv[0], glm::min(uv[1], uv[2]));
+    const dvec2 high = glm::max(uv[0], glm::max(uv[1], uv[2]));
+    // Weights move as those of vertex normals do; coordinates are rounded, and so is their sum.
+    const dvec2 moved = (high - low) * (shift + 4.0 * e) / height +
+                        4.0 * e * glm::max(glm::abs(low), glm::abs(high));
+    albedo =
+        textureBounds(*mesh->bsdf.texture, (1.0 - u - v) * uv[0] + u * uv[1] + v * uv[2], moved);
+  }
   // Lambert's law: cos / d^2 changes by 3 shifts / d; a light is rounded too.
   for (const PointLight& light : scene_.lights) {
     const dvec3 position = space_.apply(light.position);
     const double d = std::max(glm::length(position - hit), 1e-30);
-    const double power =
-        largest(light.radiance * mesh->bsdf.albedo) * space_.scale * space_.scale / (d * d);
-    b.radiance += power / std::numbers::pi *
-                  (8.0 * e + b.normal + 3.0 * (shift + e * (1.0 + largest(position))) / d);
+    const double power = largest(light.radiance) * space_.scale * space_.scale / (d * d);
+    const double relative = 8.0 * e + b.normal + 3.0 * (shift + e * (1.0 + largest(position))) / d;
+    b.radiance += power / std::numbers::pi * (albedo.largest * relative + albedo.change);
   }
   return b;
 }

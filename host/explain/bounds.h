@@ -27,6 +27,8 @@ class BoundsOf {
 
   /// How far rays may pass from one another at a distance from the camera, in pixels.
   double pixelsAt(double distance) const;
+  /// How far a ray's direction may be off, and the place of a background that it sees, in pixels.
+  double pixelsOfBackground() const;
   /// In scene units.
   double distanceOf(std::uint32_t id, double u, double v) const;
 

@@ -108,8 +108,7 @@ class Comparison {
       return;
     }
     if (!truth) {
-      const std::lock_guard lock(mutex_);
-      ++result_.samples;
+      background(film, x, y);
       return;
     }
     const Bounds bounds = bounds_.at(truth->triangle, truth->u, truth->v);
@@ -139,6 +138,21 @@ class Comparison {
     } else {
       put(2, x, y, litUlps, true, bounds.cause);
     }
+  }
+
+  /// Where both meet nothing: within rounding, or a ray within the bound sees as much more or less.
+  void background(dvec2 film, int x, int y) {
+    double off = 0, size = 0;
+    if (lit_) {
+      const dvec3 wanted = litReference_.radiance(film);
+      off = largest(pixelOf(radiance_, x, y) - wanted);
+      size = largest(wanted);
+    }
+    const bool within = off <= 16.0 * 0x1p-24 * size ||
+                        !litReference_.decided(film, bounds_.pixelsOfBackground(), 0.5 * off);
+    const std::lock_guard lock(mutex_);
+    ++result_.samples;
+    if (lit_ && litTruth_.environment) put(2, x, y, off / ulpOf(size), within, "background");
   }
 
   /// Does a ray within the bound meet that triangle, or is the hit as far away as the reference's,

@@ -23,7 +23,11 @@ struct Image {
   }
 };
 
-/// A black picture with channels R, G, B.
+/// A black picture with channels R, G, B, or others.
 Image rgbImage(int width, int height);
+Image blackImage(int width, int height, std::vector<std::string> channels);
+
+/// One picture with the channels of all, which have the same size.
+Image joined(std::vector<Image> parts);
 
 }  // namespace laver

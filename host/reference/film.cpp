@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "core/sparing.h"
 #include "reference/sampler.h"
 
 namespace laver::reference {
@@ -42,16 +43,17 @@ Crop wholeOrCrop(const Camera& camera, const RenderOptions& options) {
   return crop;
 }
 
-bool usable(const glm::dvec3& v) {
-  const auto good = [](double x) { return std::isfinite(x) && x >= 0.0; };
+bool usable(const glm::dvec3& v, bool signs) {
+  const auto good = [&](double x) { return std::isfinite(x) && (signs || x >= 0.0); };
   return good(v.x) && good(v.y) && good(v.z);
 }
 
 // The pixels of one band of the crop, and the samples of these and of the pixels around them.
 class Band {
  public:
-  Band(const Scene& scene, const RenderOptions& options, const Crop& pixels)
+  Band(const Scene& scene, const RenderOptions& options, const Crop& pixels, bool signs)
       : scene_(scene),
+        signs_(signs),
         threads_(options.threads),
         weights_(scene.filter, options.noriCompat),
         pixels_(pixels),
@@ -76,7 +78,7 @@ class Band {
         const glm::vec2 film = samplePosition(scene_.camera, scene_.sampler, x, y, sample);
         const glm::vec2 numbers = sampleAperture(scene_.camera, scene_.sampler, x, y, sample);
         const glm::dvec3 value = radianceAt(glm::dvec2(film), glm::dvec2(numbers));
-        samples_[i] = {film, value, usable(value)};
+        samples_[i] = {film, value, usable(value, signs_)};
         const bool own = x >= pixels_.x0 && x < pixels_.x1 && y >= pixels_.y0 && y < pixels_.y1;
         if (own && !samples_[i].kept) ++dropped;
       }
@@ -129,6 +131,7 @@ class Band {
   }
 
   const Scene& scene_;
+  bool signs_;
   unsigned threads_;
   FilterWeights weights_;
   Crop pixels_, around_;
@@ -139,20 +142,25 @@ class Band {
 }  // namespace
 
 Image renderFilm(const Scene& scene, const RenderOptions& options, const RadianceAt& radianceAt,
-                 std::uint64_t& dropped, Reached& reached) {
+                 bool signs, std::uint64_t& dropped, Reached& reached) {
   const Crop crop = wholeOrCrop(scene.camera, options);
   const std::uint32_t count = scene.sampler.sampleCount;
   const auto columns = index(crop.x1 - crop.x0);
   const int rows = static_cast<int>(std::max<std::size_t>(samplesAtOnce / columns, 16));
+  const auto& watcher = options.watcher.rowsChanged;
+  Sparing sparing(options.watcher.share);
   Image image = rgbImage(crop.x1 - crop.x0, crop.y1 - crop.y0);
-  dropped = 0;
   reached = {};
   std::uint32_t done = count;
   for (int y0 = crop.y0; y0 < crop.y1 && done == count; y0 += rows) {
     const int y1 = std::min(y0 + rows, crop.y1);
-    Band band(scene, options, {crop.x0, y0, crop.x1, y1});
+    Band band(scene, options, {crop.x0, y0, crop.x1, y1}, signs);
     const auto batch =
         static_cast<std::uint32_t>(std::max<std::size_t>(samplesAtOnce / band.traced(), 1));
+    const auto show = [&] {
+      band.write(crop, image);
+      if (watcher) watcher(image, y0 - crop.y0, y1 - crop.y0);
+    };
     for (done = 0; done < count && !(options.stop && options.stop());) {
       const std::uint32_t end = done + std::min(batch, count - done);
       dropped += band.trace(done, end, radianceAt);
@@ -162,9 +170,10 @@ Image renderFilm(const Scene& scene, const RenderOptions& options, const Radianc
         const double inBand = static_cast<double>(end) / count * (y1 - y0);
         options.progress((y0 - crop.y0 + inBand) / (crop.y1 - crop.y0));
       }
+      if (watcher && done < count && sparing.due()) sparing.run(show);
     }
     reached.addRows(y1 - y0, done, count);
-    band.write(crop, image);
+    sparing.run(show);
   }
   return image;
 }

@@ -20,11 +20,12 @@ using RadianceAt = std::function<glm::dvec3(glm::dvec2 film, glm::dvec2 numbers)
 /// from beyond it. A pixel's sums run over the sample index, then over the neighbours row by row,
 /// in double: its bits depend on neither crop nor threads. Memory does not grow with the samples.
 ///
-/// A sample with a component that is NaN, infinite or negative is left out with its weight;
-/// `dropped` becomes the number of those that belong to the pixels shown.
+/// A sample with a component that is NaN, infinite or, unless it is `signs` that are shown,
+/// negative is left out with its weight;
+/// `dropped` grows by the number of those that belong to the pixels shown.
 /// `reached` becomes how far the render came before options.stop ended it.
 /// Throws Error(Usage) if the crop is empty or not inside the film.
 Image renderFilm(const Scene& scene, const RenderOptions& options, const RadianceAt& radianceAt,
-                 std::uint64_t& dropped, Reached& reached);
+                 bool signs, std::uint64_t& dropped, Reached& reached);
 
 }  // namespace laver::reference

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "reference/texture.h"
 #include "reference/world.h"
 
 namespace laver::reference {
@@ -66,11 +67,13 @@ glm::dvec3 directWhitted(const World& world, const Scene& scene, const glm::dvec
 
 }  // namespace
 
-glm::dvec3 radiance(const World& world, const Scene& scene, const CameraRay& camera,
-                    glm::dvec2 numbers) {
+glm::dvec3 radiance(const World& world, const Scene& scene, Integrator shown,
+                    const CameraRay& camera, glm::dvec2 numbers) {
   const auto hit = world.tree().closest(camera.ray, camera.tmin, camera.tmax);
-  if (!hit) return glm::dvec3(scene.integrator == Integrator::AverageVisibility ? 1.0 : 0.0);
-  switch (scene.integrator) {
+  if (!hit && scene.environment && shown == Integrator::DirectWhitted)
+    return backgroundAt(*scene.environment, camera.ray.direction);
+  if (!hit) return glm::dvec3(shown == Integrator::AverageVisibility ? 1.0 : 0.0);
+  switch (shown) {
     case Integrator::Normals:
       return glm::abs(world.surface(*hit).shading);
     case Integrator::DirectWhitted:
@@ -86,6 +89,10 @@ glm::dvec3 radiance(const World& world, const Scene& scene, const CameraRay& cam
       return glm::dvec3(openness(world, s, cosineAround(s.shading, numbers),
                                  std::numeric_limits<double>::infinity()));
     }
+    case Integrator::ShadingNormal:
+      return world.surface(*hit).shading;
+    case Integrator::Albedo:
+      return world.surface(*hit).albedo;
   }
   return glm::dvec3(0.0);
 }

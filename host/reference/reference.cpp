@@ -1,5 +1,6 @@
 #include "reference/reference.h"
 
+#include "core/parallel.h"
 #include "reference/camera.h"
 #include "reference/film.h"
 #include "reference/sampler.h"
@@ -23,7 +24,8 @@ Reference::Reference(Reference&&) noexcept = default;
 Reference& Reference::operator=(Reference&&) noexcept = default;
 
 glm::dvec3 Reference::radiance(glm::dvec2 film, glm::dvec2 numbers) const {
-  return reference::radiance(impl_->world, impl_->scene, impl_->view.through(film), numbers);
+  return reference::radiance(impl_->world, impl_->scene, impl_->scene.integrator,
+                             impl_->view.through(film), numbers);
 }
 
 std::optional<Reference::Hit> Reference::closest(glm::dvec2 film) const {
@@ -62,10 +64,67 @@ Image Reference::render(const RenderOptions& options) const {
 
 Image Reference::render(const RenderOptions& options, std::uint64_t& dropped,
                         Reached& reached) const {
-  return reference::renderFilm(
-      impl_->scene, options,
-      [this](glm::dvec2 film, glm::dvec2 numbers) { return radiance(film, numbers); }, dropped,
-      reached);
+  dropped = 0;
+  std::vector<Image> parts;
+  parts.push_back(picture(impl_->scene.integrator, options, dropped, reached));
+  const int width = parts.front().width, height = parts.front().height;
+  RenderOptions unwatched = options;
+  unwatched.watcher = {};
+  for (const Shown& shown : shownBeside(options.more, options.layers)) {
+    Reached own;
+    parts.push_back(picture(shown.integrator, unwatched, dropped, own));
+    parts.back().channels = shown.channels;
+    if (own.wholeRows != height) ++reached.unfinished;
+  }
+  if (!centreChannels(options.layers).empty()) parts.push_back(centres(options));
+  if (asks(options.layers, Layer::Samples)) {
+    parts.push_back(blackImage(width, height, {"samples"}));
+    const std::uint32_t wanted = impl_->scene.sampler.sampleCount;
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x)
+        parts.back().at(x, y, 0) = static_cast<float>(reached.samplesIn(y, wanted));
+  }
+  return joined(std::move(parts));
+}
+
+Image Reference::picture(Integrator shown, const RenderOptions& options, std::uint64_t& dropped,
+                         Reached& reached) const {
+  const auto radianceAt = [&](glm::dvec2 film, glm::dvec2 numbers) {
+    return reference::radiance(impl_->world, impl_->scene, shown, impl_->view.through(film),
+                               numbers);
+  };
+  return reference::renderFilm(impl_->scene, options, radianceAt,
+                               shown == Integrator::ShadingNormal, dropped, reached);
+}
+
+std::optional<CentreHit> Reference::centre(glm::dvec2 film) const {
+  const reference::CameraRay camera = impl_->view.through(film);
+  const reference::World& world = impl_->world;
+  const auto hit = world.tree().closest(camera.ray, camera.tmin, camera.tmax);
+  if (!hit) return {};
+  const std::uint32_t id = hit->triangle->id;
+  const std::size_t mesh = world.meshOf(id);
+  const reference::Surface surface = world.surface(*hit);
+  return CentreHit{hit->t * glm::length(camera.ray.direction), surface.position + world.centre(),
+                   surface.uv, static_cast<std::uint32_t>(mesh),
+                   id - static_cast<std::uint32_t>(world.firstOf(mesh))};
+}
+
+Image Reference::centres(const RenderOptions& options) const {
+  const Camera& camera = impl_->scene.camera;
+  const Crop crop = options.crop.value_or(Crop{0, 0, camera.width, camera.height});
+  Image image = blackImage(crop.x1 - crop.x0, crop.y1 - crop.y0, centreChannels(options.layers));
+  const std::size_t channels = image.channels.size();
+  const auto width = static_cast<std::size_t>(image.width);
+  parallelFor(image.pixels.size() / channels, 256, options.threads,
+              [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i) {
+                  const glm::dvec2 pixel(crop.x0 + static_cast<int>(i % width),
+                                         crop.y0 + static_cast<int>(i / width));
+                  writeCentre(options.layers, centre(pixel + 0.5), &image.pixels[i * channels]);
+                }
+              });
+  return image;
 }
 
 }  // namespace laver

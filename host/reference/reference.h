@@ -47,6 +47,10 @@ class Reference {
   /// The sample's other numbers, for radiance().
   glm::vec2 sampleNumbers(int x, int y, std::uint32_t sample) const;
 
+  /// The first hit of the ray through `film` as the centre layers show it. Without vertex
+  /// coordinates uv is 0.
+  std::optional<CentreHit> centre(glm::dvec2 film) const;
+
   /// Samples, reconstructs, and rounds to float at the very end. Throws Error(Usage) if the crop
   /// is empty or not inside the film.
   Image render(const RenderOptions& options = {}) const;
@@ -57,6 +61,10 @@ class Reference {
   Image render(const RenderOptions& options, std::uint64_t& dropped, Reached& reached) const;
 
  private:
+  Image picture(Integrator shown, const RenderOptions& options, std::uint64_t& dropped,
+                Reached& reached) const;
+  Image centres(const RenderOptions& options) const;
+
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/texture.h"
+
 namespace laver::reference {
 
 namespace {
@@ -71,7 +73,13 @@ Surface World::surface(const TreeHit& hit) const {
   surface.position = glm::dvec3(position);
   surface.geometric = unit(turned ? -triangle.normal() : triangle.normal());
   surface.shading = surface.geometric;
-  surface.albedo = mesh.bsdf.albedo;
+  const Weights given = triangle.asGiven(hit.weights);
+  glm::dvec2 uv(given[1], given[2]);
+  if (!mesh.uvs.empty()) {
+    uv = glm::dvec2(0.0);
+    for (int i = 0; i < 3; ++i) uv += given[static_cast<std::size_t>(i)] * mesh.uvs[indices[i]];
+  }
+  surface.albedo = albedoAt(mesh.bsdf, uv);
   // The error of the position off its plane: half an ulp a component, and as much again for the
   // moved position, is below 2 * 2^-53 * sum |n_i| size_i; 8 leaves room for neighbours whose
   // corners were rounded out of a common plane.
@@ -85,6 +93,11 @@ Surface World::surface(const TreeHit& hit) const {
              LongVec(mesh.normals[indices[i]]);
     }
     if (finite(sum) && glm::dot(sum, sum) > 0.0L) surface.shading = unit(sum);
+  }
+  if (!mesh.uvs.empty()) {
+    const Weights weights = triangle.asGiven(hit.weights);
+    for (int i = 0; i < 3; ++i)
+      surface.uv += weights[static_cast<std::size_t>(i)] * mesh.uvs[indices[i]];
   }
   return surface;
 }

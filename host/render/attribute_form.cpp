@@ -12,10 +12,10 @@ std::vector<std::byte> bytesOf(const SceneData& data) {
   std::vector<Index> numbers;
   numbers.reserve(data.attributes.size() * (normals ? 4 : 1));
   for (const shared::Attributes& a : data.attributes) {
+    numbers.push_back(static_cast<Index>(a.material));
     if (normals)
       for (const std::uint32_t n : {a.normalA, a.normalB, a.normalC})
         numbers.push_back(static_cast<Index>(n));
-    numbers.push_back(static_cast<Index>(a.material));
   }
   const auto bytes = std::as_bytes(std::span(numbers));
   return {bytes.begin(), bytes.end()};

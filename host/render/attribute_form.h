@@ -8,8 +8,8 @@
 
 namespace laver {
 
-/// How attributes lie on the device: four numbers a triangle, or its material alone where the
-/// kernel reads no normals, each of SPEC_INDEX_BYTES bytes.
+/// How attributes lie on the device: four numbers a triangle, or its material alone where
+/// no kernel reads normals, each of SPEC_INDEX_BYTES bytes.
 VkFormat attributeFormat(const SpecConstants& constants);
 
 /// data.attributes in that form.

@@ -46,6 +46,9 @@ DeviceScene::DeviceScene(const Device& device, const SceneData& data, const Rend
   uploadTexels(shared::BIND_MATERIALS, "materials", data.materials);
   uploadTexels(shared::BIND_LIGHTS, "lights", data.lights);
   uploadTexels(shared::BIND_JUMPS, "sampler tables", data.jumps);
+  uploadTexels(shared::BIND_TEXTURES, "textures", data.textures);
+  uploadTexels(shared::BIND_UVS, "texture coordinates", data.uvs, 0, VK_FORMAT_R32G32_UINT);
+  uploadTexels(shared::BIND_IMAGES, "pictures", data.images, 0, VK_FORMAT_R32_UINT);
 
   samples(shared::BIND_SAMPLES, shared::BIND_SAMPLE_TEXELS, plan.sampleSlots, 16,
           VK_FORMAT_R32G32B32A32_SFLOAT);
@@ -100,20 +103,13 @@ void DeviceScene::bindTexels(std::uint32_t binding, const Buffer& buffer, VkForm
 
 template <class T, class A>
 void DeviceScene::uploadTexels(std::uint32_t binding, const char* what,
-                               const std::vector<T, A>& data, VkDeviceSize zeros) {
-  static_assert(sizeof(T) % 16 == 0);
-  uploadTexels(binding, what, std::as_bytes(std::span(data)), zeros, kTexels);
-}
-
-void DeviceScene::uploadTexels(std::uint32_t binding, const char* what,
-                               std::span<const std::byte> data, VkDeviceSize zeros,
-                               VkFormat format) {
+                               const std::vector<T, A>& data, VkDeviceSize zeros, VkFormat format) {
   // A kernel that does not read the binding still needs something bound there.
   const VkDeviceSize texel = texelBytes(format);
-  const VkDeviceSize bytes = std::max<VkDeviceSize>(data.size() + zeros, 3 * texel);
+  const VkDeviceSize bytes = std::max<VkDeviceSize>(data.size() * sizeof(T) + zeros, 3 * texel);
   Buffer buffer(device_, what, Buffer::Use::Texels, notPowerOfTwo(bytes, texel));
-  if (zeros != 0) buffer.fillZero(data.size());
-  if (!data.empty()) buffer.upload(data);
+  if (zeros != 0) buffer.fillZero(data.size() * sizeof(T));
+  if (!data.empty()) buffer.upload(std::as_bytes(std::span(data)));
   bindTexels(binding, buffer, format);
   buffers_.push_back(std::move(buffer));
 }

@@ -39,9 +39,7 @@ class DeviceScene {
   void bindTexels(std::uint32_t binding, const Buffer& buffer, VkFormat format);
   template <class T, class A>
   void uploadTexels(std::uint32_t binding, const char* what, const std::vector<T, A>& data,
-                    VkDeviceSize zeros = 0);
-  void uploadTexels(std::uint32_t binding, const char* what, std::span<const std::byte> data,
-                    VkDeviceSize zeros, VkFormat format);
+                    VkDeviceSize zeros = 0, VkFormat format = VK_FORMAT_R32G32B32A32_UINT);
 
   const Device& device_;
   Bindings bindings_;

@@ -33,6 +33,9 @@ std::string contentOf(const SceneData& data) {
   add(hash, data.normals);
   add(hash, data.materials);
   add(hash, data.lights);
+  add(hash, data.textures);
+  add(hash, data.uvs);
+  add(hash, data.images);
   return hash.text();
 }
 

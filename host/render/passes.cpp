@@ -68,8 +68,18 @@ glm::uvec4 Passes::regionAround(const Crop& band) const {
                   scene_.camera.height);
 }
 
-std::uint32_t Passes::mostOf(const Crop& band) const {
-  return map_->most(cropOf(regionAround(band)));
+std::uint32_t Passes::mostOf(const Crop& band, std::uint32_t samples) const {
+  return mapped() ? map_->most(cropOf(regionAround(band))) : samples;
+}
+
+std::uint32_t Passes::traceCentres(const Crop& band) {
+  if (options_.stop && options_.stop()) return 0;
+  shared::Pass pass{};
+  pass.region = pass.core = {band.x0, band.y0, band.x1 - band.x0, band.y1 - band.y0};
+  pass.samples.y = 1;
+  filmIsClear_ = false;
+  tracePass(pass);
+  return 1;
 }
 
 std::uint32_t Passes::add(const Crop& band, std::uint32_t first, std::uint32_t end,
@@ -77,7 +87,7 @@ std::uint32_t Passes::add(const Crop& band, std::uint32_t first, std::uint32_t e
   shared::Pass pass{};
   pass.region = regionAround(band);
   pass.core = {band.x0, band.y0, band.x1 - band.x0, band.y1 - band.y0};
-  if (map_ != nullptr) onDevice_.upload(map_->counts(pass.region));
+  if (mapped()) onDevice_.upload(map_->counts(pass.region));
   std::uint32_t done = first;
   while (done < end && !(options_.stop && options_.stop())) {
     pass.samples.x = done;
@@ -88,8 +98,8 @@ std::uint32_t Passes::add(const Crop& band, std::uint32_t first, std::uint32_t e
     done += pass.samples.y;
     passed(done);
   }
-  stats_.samples += map_ != nullptr ? map_->samplesOf(band, done)
-                                    : std::uint64_t{pass.core.z} * pass.core.w * (done - first);
+  stats_.samples += mapped() ? map_->samplesOf(band, done)
+                             : std::uint64_t{pass.core.z} * pass.core.w * (done - first);
   return done;
 }
 
@@ -102,7 +112,7 @@ void Passes::forgetDropped() {
 /// may walk through, this pass and all that follow go ray by ray: the same bits.
 void Passes::tracePass(const shared::Pass& pass) {
   const shared::Status before = status_;
-  if (map_ != nullptr) listWork(pass);
+  if (mapped()) listWork(pass);
   dispatchPass(pass);
   if (status_.incomplete != 0 && stats_.traversal == "packet") {
     stats_.traversal = "lane";
@@ -140,7 +150,7 @@ void Passes::dispatchSamples(VkCommandBuffer commands, shared::Pass pass) const 
   std::uint32_t done = 0;
   for (std::size_t i = 0; i < kShifts.size(); ++i) {
     const std::uint32_t shift = kShifts[i];
-    if (map_ != nullptr) {
+    if (mapped()) {
       pass.tiles.z = shift;
       dispatchListed(commands, *trace_, pass, tracing_[i]);
       continue;
@@ -158,9 +168,9 @@ void Passes::dispatchSamples(VkCommandBuffer commands, shared::Pass pass) const 
 
 void Passes::gatherPass(shared::Pass pass) {
   const Stopwatch watch(stats_.seconds.reconstruct);
-  pass.tiles = {map_ != nullptr ? shared::STRIP_ROWS : plan_.gatherRows, 0, 0, 0};
+  pass.tiles = {mapped() ? shared::STRIP_ROWS : plan_.gatherRows, 0, 0, 0};
   device_.run([&](VkCommandBuffer commands) {
-    if (map_ != nullptr)
+    if (mapped())
       dispatchListed(commands, *gather_, pass, gathering_);
     else
       gather_->dispatch(commands, onDevice_.bindings(), bytes(pass),

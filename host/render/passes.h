@@ -35,8 +35,11 @@ class Passes {
   /// returns to which sample it came, less than `end` if options.stop ended it.
   std::uint32_t add(const Crop& band, std::uint32_t first, std::uint32_t end,
                     const std::function<void(std::uint32_t)>& passed);
-  /// With a map: the most samples of a pixel that a band's sums hold.
-  std::uint32_t mostOf(const Crop& band) const;
+  /// The most samples that a pixel of a band gets: what the map says, or else `samples`.
+  std::uint32_t mostOf(const Crop& band, std::uint32_t samples) const;
+  /// One ray through the centre of each pixel, whose hits the film holds then; returns 1, or 0 if
+  /// it was stopped before.
+  std::uint32_t traceCentres(const Crop& band);
 
   /// New parameters for the passes that follow.
   void upload(const shared::Params& params) { onDevice_.upload(params); }
@@ -44,6 +47,8 @@ class Passes {
   void forgetDropped();
 
  private:
+  /// Where cells have counts of their own in the present picture.
+  bool mapped() const { return map_ != nullptr && constants_[shared::SPEC_ADAPTIVE] != 0; }
   glm::uvec4 regionAround(const Crop& band) const;
   void compileTrace();
   void tracePass(const shared::Pass& pass);

@@ -12,6 +12,12 @@ namespace {
 
 using Line = ScenePlan::Line;
 
+/// "direct_whitted", or that and what is rendered beside it.
+std::string shownBy(const Facts& f) {
+  return std::string(integratorName(f.scene.integrator)) +
+         (f.pictures > 1 ? " and its layers" : "");
+}
+
 /// Bytes of the attributes of all triangles in a form, without the tables they point into.
 std::uint64_t indexBytesOf(const Facts& f, SpecConstants constants) {
   const bool any = constants[shared::SPEC_NORMALS] != 0 || constants[shared::SPEC_ALBEDOS] != 0;
@@ -19,7 +25,9 @@ std::uint64_t indexBytesOf(const Facts& f, SpecConstants constants) {
 }
 
 Line rays(const Facts& f) {
-  if (f.traced()) return {"camera rays", "traced", "what they hit shows", "", 0};
+  const bool unlit = f.shaded && f.pictures == 1 && f.scene.lights.empty();
+  if (f.traced())
+    return {"camera rays", "traced", unlit ? "what they miss shows" : "what they hit shows", "", 0};
   return {"camera rays", "none traced", "a scene without lights is black",
           "the tree is not built, no ray is traced", f.triangles * sizeof(shared::Triangle)};
 }
@@ -54,7 +62,7 @@ Line stack(const Facts& f) {
 Line normals(const Facts& f) {
   if (f.constant(shared::SPEC_NORMALS) != 0)
     return {"vertex normals", countOf(f.normals, "normal"),
-            f.shaded() ? "shading reads them" : "the integrator shows them", "", 0};
+            f.shaded ? "shading reads them" : "the integrator shows them", "", 0};
   SpecConstants with = f.data.constants;
   with[shared::SPEC_NORMALS] = 1;
   with[shared::SPEC_INDEX_BYTES] = indexBytes(f.scene, true);
@@ -63,32 +71,69 @@ Line normals(const Facts& f) {
                                         indexBytesOf(f, f.data.constants)
                                   : 0;
   return {"vertex normals", "left out",
-          !f.traced() ? "no ray is traced"
-          : f.normals == 0
-              ? "no mesh has any"
-              : fmt::format("{} does not show them", integratorName(f.scene.integrator)),
+          !f.traced()      ? "no ray is traced"
+          : f.normals == 0 ? "no mesh has any"
+                           : fmt::format("{} shows none", shownBy(f)),
           "4 loads a hit, interpolation", bytes};
 }
 
 Line materials(const Facts& f) {
   const std::size_t meshes = f.scene.meshes.size();
   if (f.constant(shared::SPEC_ALBEDOS) != 0)
-    return {"materials", countOf(meshes, "albedo"), "the meshes differ", "", 0};
+    return {"materials",
+            countOf(meshes, f.constant(shared::SPEC_TEXTURES) != 0 ? "texture" : "albedo"),
+            "the meshes differ", "", 0};
   SpecConstants with = f.data.constants;
   with[shared::SPEC_ALBEDOS] = 1;
-  const std::uint64_t bytes = f.traced()
-                                  ? meshes * sizeof(shared::Material) + indexBytesOf(f, with) -
-                                        indexBytesOf(f, f.data.constants)
-                                  : 0;
-  const bool one = f.shaded() && f.traced();
-  return {"materials", one ? "one albedo, a parameter" : "left out",
+  const std::uint64_t bytes =
+      f.traced() ? f.materialBytes() + indexBytesOf(f, with) - indexBytesOf(f, f.data.constants)
+                 : 0;
+  const bool one = f.coloured && f.traced();
+  const bool textured = f.constant(shared::SPEC_TEXTURES) != 0;
+  return {"materials",
+          !one       ? "left out"
+          : textured ? "one texture"
+                     : "one albedo, a parameter",
           one           ? "all meshes agree"
           : !f.traced() ? "no ray is traced"
-                        : fmt::format("{} does not show them", integratorName(f.scene.integrator)),
+                        : fmt::format("{} shows none", shownBy(f)),
           "1 load a hit and light", bytes};
 }
 
+Line textures(const Facts& f) {
+  const std::uint32_t kinds = f.constant(shared::SPEC_TEXTURES);
+  if (kinds == 0) return {"textures", "left out", "no texture is shown", "the loads of a hit", 0};
+  const char* names[] = {"", "checkers", "pictures", "checkers and pictures"};
+  return {"textures", names[kinds], countOf(f.data.textures.size(), "mesh", "meshes"),
+          kinds == 3 ? "" : "the other kind", 0};
+}
+
+Line pictures(const Facts& f) {
+  const std::uint32_t kinds = f.constant(shared::SPEC_IMAGES);
+  if (kinds == 0) return {"pictures", "left out", "no texture and no background has one", "", 0};
+  const char* names[] = {"", "of 8 bits", "of floats", "of 8 bits and of floats"};
+  return {"pictures", names[kinds],
+          countOf(f.data.images.size() * sizeof(f.data.images[0]), "byte") + " with their tables",
+          kinds == 3 ? "" : "the other kind", 0};
+}
+
+Line background(const Facts& f) {
+  switch (f.constant(shared::SPEC_BACKGROUND)) {
+    case shared::BACKGROUND_BLACK:
+      return {"background", "black",
+              f.scene.environment ? fmt::format("{} shows none", shownBy(f)) : "the scene has none",
+              "", 0};
+    case shared::BACKGROUND_CONSTANT:
+      return {"background", "one radiance", "it has no picture", "a direction's place in one", 0};
+    default:
+      return {"background", "a picture", "the scene's environment", "", 0};
+  }
+}
+
 Line uvs(const Facts& f) {
+  if (f.constant(shared::SPEC_TEXTURES) != 0)
+    return {"texture coordinates", countOf(f.data.uvs.size() / 3, "triangle"),
+            "those that show a texture", "", 0};
   return {"texture coordinates", "left out", "no texture reads them", "",
           f.uvs * 2 * sizeof(float)};
 }
@@ -164,13 +209,15 @@ Line filter(const Facts& f) {
 
 }  // namespace
 
-std::string countOf(std::uint64_t n, const char* what) {
-  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+std::string countOf(std::uint64_t n, const char* one, const char* more) {
+  const std::string plural = more == nullptr ? std::string(one) + 's' : more;
+  return fmt::format("{} {}", n, n == 1 ? one : plural);
 }
 
 std::vector<Line> sceneLines(const Facts& f) {
-  return {rays(f),    tree(f),   stack(f),      normals(f), materials(f),     uvs(f),
-          indices(f), lights(f), shadowRays(f), sampler(f), samplerTables(f), filter(f)};
+  return {rays(f),     tree(f),       stack(f),      normals(f),       materials(f),
+          textures(f), pictures(f),   background(f), uvs(f),           indices(f),
+          lights(f),   shadowRays(f), sampler(f),    samplerTables(f), filter(f)};
 }
 
 }  // namespace laver

@@ -6,9 +6,11 @@
 #include <optional>
 #include <utility>
 
+#include "core/sparing.h"
 #include "render/kernels.h"
 #include "render/passes.h"
 #include "render/plan.h"
+#include "render/renderings.h"
 #include "render/resolve.h"
 #include "render/sampler_data.h"
 #include "render/stopwatch.h"
@@ -18,11 +20,7 @@
 namespace laver {
 namespace {
 
-std::string traceName(Integrator integrator, const std::string& traversal) {
-  return std::string(integratorName(integrator)) + "_" + traversal;
-}
-
-/// One picture: bands outside, passes inside.
+/// Pictures of one scene, one after the other: bands outside, passes inside.
 class Render {
  public:
   Render(Passes& passes, const SceneData& data, const RenderPlan& plan, const Scene& scene,
@@ -34,26 +32,59 @@ class Render {
         options_(options),
         core_(core),
         state_(state),
-        stats_(stats),
-        image_(rgbImage(core.x1 - core.x0, core.y1 - core.y0)) {}
+        stats_(stats) {}
 
-  Image run() {
-    if (options_.error == 0.0) {
-      renderKept();
-    } else if (const auto map = runPilots()) {
-      passes_.use(&*map);
-      map_ = &*map;
-      renderFilm(core_, mostOf(scene_.sampler), image_);
-      stats_.adaptive.describe(*map, core_, mostOf(scene_.sampler));
+  /// All of them in one image; black where there is no time for them. The kernel of the first is
+  /// there.
+  Image run(std::vector<Rendering> pictures) {
+    std::vector<Image> parts;
+    bool whole = true;
+    for (Rendering& picture : pictures) {
+      const SpecConstants guess = picture.constants;
+      requireStack(picture.constants, data_.bvh.stack);
+      picture_ = &picture;
+      before_ = static_cast<double>(parts.size());
+      each_ = 1.0 / static_cast<double>(pictures.size());
+      image_ = blackImage(core_.x1 - core_.x0, core_.y1 - core_.y0, picture.channels);
+      const bool first = parts.empty();
+      Reached reached;
+      if (whole) {
+        passes_.begin(picture.kernel, picture.constants, first && guess == picture.constants);
+        if (first)
+          renderFirst(reached);
+        else
+          renderFilm(core_, wantedOf(picture), image_, reached);
+        whole = reached.wholeRows == image_.height;
+      }
+      if (first)
+        stats_.reached = reached;
+      else if (!whole)
+        ++stats_.reached.unfinished;
+      parts.push_back(std::move(image_));
     }
     state_.dropped += passes_.dropped();
     stats_.droppedSamples = state_.dropped;
-    return std::move(image_);
+    if (asks(options_.layers, Layer::Samples)) parts.push_back(samplesLayer(parts.front()));
+    return joined(std::move(parts));
   }
 
  private:
+  /// The scene's own picture.
+  void renderFirst(Reached& reached) {
+    if (options_.error == 0.0) return renderKept(reached);
+    map_ = runPilots();
+    if (!map_) return;
+    passes_.use(&*map_);
+    renderFilm(core_, mostOf(scene_.sampler), image_, reached);
+    stats_.adaptive.describe(*map_, core_, mostOf(scene_.sampler));
+  }
+
+  std::uint32_t wantedOf(const Rendering& picture) const {
+    return picture.centres ? 1 : map_ ? mostOf(scene_.sampler) : scene_.sampler.sampleCount;
+  }
+
   /// All samples of the picture, from what its state holds on.
-  void renderKept() {
+  void renderKept(Reached& reached) {
     const int height = image_.height;
     const std::uint32_t wanted = scene_.sampler.sampleCount;
     bool ended = false;
@@ -68,7 +99,7 @@ class Render {
           state_.takeFinished(image_, row, wanted);
         ended = samples != wanted;
       }
-      stats_.reached.addRows(rows, samples, wanted);
+      reached.addRows(rows, samples, wanted);
     }
   }
 
@@ -81,7 +112,7 @@ class Render {
     else
       passes_.clearFilm();
     const std::uint32_t wanted = scene_.sampler.sampleCount;
-    const auto passed = [&](std::uint32_t n) { reportProgress(band, n, wanted); };
+    const auto passed = [&](std::uint32_t n) { passDone(band, n, wanted); };
     // Samples that are summed plainly are summed together, however often the render goes on.
     const bool always = state_.keep() == FilmState::Keep::Always;
     const std::uint32_t whole = always ? wanted - wanted % shared::GATHER_SAMPLES : wanted;
@@ -90,7 +121,7 @@ class Render {
       state_.take(row, rows, passes_.filmOf(band), has);
     if (has == whole && has != wanted) has = passes_.add(band, whole, wanted, passed);
     if (has == 0) return 0;
-    showBand(band, row, image_);
+    showBand(band, core_, image_);
     return has;
   }
 
@@ -106,10 +137,9 @@ class Render {
       packSeed(pilotSeed(scene_.sampler.seed, i), params);
       passes_.upload(params);
       pilots.push_back(rgbImage(area.x1 - area.x0, area.y1 - area.y0));
-      renderFilm(area, 1, pilots.back());
-      const bool whole = stats_.reached.wholeRows == pilots.back().height;
-      stats_.reached = {};
-      if (!whole) return {};
+      Reached reached;
+      renderFilm(area, 1, pilots.back(), reached);
+      if (reached.wholeRows != pilots.back().height) return {};
     }
     passes_.upload(data_.params);
     passes_.forgetDropped();
@@ -117,34 +147,67 @@ class Render {
     return decideSamples(pilots, area, options_.error, mostOf(scene_.sampler), options_.threads);
   }
 
-  /// As many samples as the map says, `samples` at most.
-  void renderFilm(Crop core, std::uint32_t samples, Image& image) {
+  /// `samples` of every pixel, or as many of them as the map says.
+  void renderFilm(Crop core, std::uint32_t samples, Image& image, Reached& reached) {
     for (int y = core.y0; y < core.y1; y += static_cast<int>(plan_.bandRows)) {
       const Crop band{core.x0, y, core.x1, std::min(core.y1, y + static_cast<int>(plan_.bandRows))};
-      passes_.clearFilm();
-      const std::uint32_t most = passes_.mostOf(band);
-      std::uint32_t has = passes_.add(band, 0, most, [&](std::uint32_t n) {
-        if (map_ != nullptr) reportProgress(band, n, most);
-      });
-      if (has == most) has = samples;
+      const std::uint32_t has =
+          picture_->centres ? passes_.traceCentres(band) : fillBand(band, samples);
       if (has == 0) break;
-      stats_.reached.addRows(band.y1 - band.y0, has, samples);
-      showBand(band, y - core.y0, image);
+      reached.addRows(band.y1 - band.y0, has, samples);
+      showBand(band, core, image);
       if (has != samples) break;
     }
   }
 
-  void showBand(const Crop& band, int row, Image& image) {
-    const Stopwatch watch(stats_.seconds.readBack);
-    resolve(passes_.filmOf(band), row, image, options_.threads);
+  std::uint32_t fillBand(const Crop& band, std::uint32_t samples) {
+    passes_.clearFilm();
+    const std::uint32_t most = passes_.mostOf(band, samples);
+    const std::uint32_t has =
+        passes_.add(band, 0, most, [&](std::uint32_t n) { passDone(band, n, most); });
+    return has == most ? samples : has;
+  }
+
+  bool pilots() const { return options_.error != 0.0 && !map_; }
+  bool watched() const { return options_.watcher.rowsChanged && before_ == 0.0 && !pilots(); }
+
+  /// Resolves what a band of a picture of `core` has, and tells the watcher.
+  void resolveBand(const Crop& band, const Crop& core, Image& image) {
+    sparing_.run([&] {
+      const Stopwatch watch(stats_.seconds.readBack);
+      const auto film = passes_.filmOf(band);
+      if (picture_->centres)
+        resolveCentres(film, band.y0 - core.y0, scene_, data_.space, options_, image);
+      else
+        resolve(film, band.y0 - core.y0, image, options_.threads);
+      if (watched()) options_.watcher.rowsChanged(image, band.y0 - core.y0, band.y1 - core.y0);
+    });
+  }
+
+  void showBand(const Crop& band, const Crop& core, Image& image) {
+    resolveBand(band, core, image);
     ++stats_.bands;
   }
 
   /// A band has n of its samples.
-  void reportProgress(const Crop& band, std::uint32_t n, std::uint32_t of) const {
-    if (!options_.progress) return;
-    const double share = static_cast<double>(n) / of;
-    options_.progress((band.y0 - core_.y0 + share * (band.y1 - band.y0)) / image_.height);
+  void passDone(const Crop& band, std::uint32_t n, std::uint32_t of) {
+    if (options_.progress && !pilots()) {
+      const double share = static_cast<double>(n) / of;
+      const double picture =
+          (band.y0 - core_.y0 + share * (band.y1 - band.y0)) / (core_.y1 - core_.y0);
+      options_.progress((before_ + picture) * each_);
+    }
+    if (n < of && watched() && sparing_.due()) resolveBand(band, core_, image_);
+  }
+
+  Image samplesLayer(const Image& picture) const {
+    if (map_) return stats_.adaptive.samples;
+    Image image = blackImage(picture.width, picture.height, {"samples"});
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x)
+        image.at(x, y, 0) =
+            static_cast<float>(stats_.reached.samplesIn(y, scene_.sampler.sampleCount));
+    return image;
   }
 
   Passes& passes_;
@@ -155,8 +218,11 @@ class Render {
   const Crop core_;
   FilmState& state_;
   Stats& stats_;
+  const Rendering* picture_ = nullptr;
+  double before_ = 0.0, each_ = 1.0;  ///< pictures that are done, and the share of one
   Image image_;
-  const SampleMap* map_ = nullptr;  ///< of adaptive sampling, once it is decided
+  std::optional<SampleMap> map_;  ///< of adaptive sampling, once it is decided
+  Sparing sparing_{options_.watcher.share};
 };
 
 }  // namespace
@@ -180,7 +246,7 @@ Image Renderer::render(const Scene& scene, const RenderOptions& options, Stats& 
 
 Image Renderer::render(const Scene& scene, const RenderOptions& options, FilmState& state,
                        Stats& stats) {
-  const SpecConstants constants = generalise(specialise(scene, options), impl_->options.generic);
+  std::vector<Rendering> pictures = renderingsOf(scene, options, impl_->options.generic);
   std::uint64_t triangles = 0;
   for (const Mesh& mesh : scene.meshes) {
     triangles += mesh.triangles.size();
@@ -193,9 +259,10 @@ Image Renderer::render(const Scene& scene, const RenderOptions& options, FilmSta
     if (impl_->options.traversal.empty() && tooDenseForPackets(triangles, scene))
       stats.traversal = "lane";
     const Stopwatch watch(stats.seconds.compile);
-    return compileKernels(vulkan.device, traceName(scene.integrator, stats.traversal), constants);
+    return compileKernels(vulkan.device, pictures.front().kernel + "_" + stats.traversal,
+                          pictures.front().constants);
   });
-  const SceneData data = packScene(scene, options, constants);
+  const SceneData data = packScene(scene, options, constantsOfAll(pictures));
   stats.describe(data);
 
   const StartedVulkan& vulkan = *impl_->vulkan.get();
@@ -221,9 +288,8 @@ Image Renderer::render(const Scene& scene, const RenderOptions& options, FilmSta
     passes.emplace(device, data, plan, scene, options, stats);
   }
   passes->take(compiling.get());
-  // Anew for a deeper stack than was guessed.
-  passes->begin(integratorName(scene.integrator), data.constants, constants == data.constants);
-  Image image = Render(*passes, data, plan, scene, options, core, state, stats).run();
+  Image image =
+      Render(*passes, data, plan, scene, options, core, state, stats).run(std::move(pictures));
   vulkan.instance.throwIfInvalid();
   return image;
 }

@@ -8,6 +8,7 @@
 
 #include "render/camera_data.h"
 #include "render/sampler_data.h"
+#include "render/texture_data.h"
 
 namespace laver {
 namespace {
@@ -21,7 +22,8 @@ int floorLog2(double x) { return std::ilogb(x); }
 /// Packs the meshes' triangles in file order; attributes get one entry a triangle.
 class MeshPacker {
  public:
-  MeshPacker(const Scene& scene, SceneData& data) : scene_(scene), data_(data) {}
+  MeshPacker(const Scene& scene, SceneData& data, TexturePacker& textures)
+      : scene_(scene), data_(data), textures_(textures) {}
 
   std::vector<shared::Triangle> pack() {
     if (data_.constants[shared::SPEC_HITS] == 0) return {};
@@ -39,13 +41,19 @@ class MeshPacker {
     const auto firstNormal = static_cast<std::uint32_t>(data_.normals.size());
     if (smooth)
       for (const dvec3& n : mesh.normals) data_.normals.emplace_back(vec3(n), 0.0F);
-    const auto material = static_cast<std::uint32_t>(data_.materials.size());
-    if (hasAlbedos_) data_.materials.push_back({vec3(mesh.bsdf.albedo), 0.0F});
+    const auto material =
+        static_cast<std::uint32_t>(hasTextures_ ? data_.textures.size() : data_.materials.size());
+    if (hasTextures_)
+      textures_.addMaterial(mesh, nextId_);
+    else if (hasAlbedos_)
+      data_.materials.push_back({vec3(mesh.bsdf.albedo), 0.0F});
 
-    for (glm::uvec3 t : mesh.triangles) {
+    for (const glm::uvec3 given : mesh.triangles) {
+      glm::uvec3 t = given;
       const std::uint32_t flipped = sortCorners(t, positions) ? 1 : 0;
       const vec3 a = positions[t.x], b = positions[t.y], c = positions[t.z];
       const std::uint32_t id = nextId_++;
+      if (hasTextures_) textures_.addTriangle(mesh, given, t);
       // An edge of no length has no inside; its neighbours still meet. Triangles that merely
       // became collinear stay: they fill what rounding opens beside them.
       if (a == b || b == c || c == a) {
@@ -55,7 +63,7 @@ class MeshPacker {
       triangles_.push_back({a, id, b, 0, c, flipped});
       if (!hasNormals_ && !hasAlbedos_) continue;
       const glm::uvec3 n = smooth ? t + firstNormal : glm::uvec3(shared::NO_NORMAL);
-      data_.attributes.push_back({n.x, n.y, n.z, material});
+      data_.attributes.push_back({material, n.x, n.y, n.z});
     }
   }
 
@@ -76,10 +84,12 @@ class MeshPacker {
 
   const Scene& scene_;
   SceneData& data_;
+  TexturePacker& textures_;
   std::vector<shared::Triangle> triangles_;
   std::uint32_t nextId_ = 0;
   bool hasNormals_ = data_.constants[shared::SPEC_NORMALS] != 0;
   bool hasAlbedos_ = data_.constants[shared::SPEC_ALBEDOS] != 0;
+  bool hasTextures_ = data_.constants[shared::SPEC_TEXTURES] != 0;
 };
 
 /// Attributes are gathered by triangle in file order; leaves want them in their own.
@@ -93,11 +103,10 @@ void sortAttributes(SceneData& data, const std::vector<shared::Triangle>& inFile
   data.attributes = std::move(sorted);
 }
 
-/// How far av and ao look. Points of the scene lie in [-1, 1]^3, less than 4 apart; below 2^-100
-/// nothing is seen apart.
+/// How far av looks. Points of the scene lie in [-1, 1]^3, less than 4 apart; below 2^-100 nothing
+/// is seen apart.
 float reachOf(const Scene& scene, const Normalisation& space) {
-  const bool av = scene.integrator == Integrator::AverageVisibility;
-  return av ? static_cast<float>(std::clamp(scene.avLength * space.scale, 0x1p-100, 4.0)) : 4.0F;
+  return static_cast<float>(std::clamp(scene.avLength * space.scale, 0x1p-100, 4.0));
 }
 
 /// radiance / distance^2 keeps its value when distances are scaled, if radiance is by the square.
@@ -132,14 +141,15 @@ SceneData packScene(const Scene& scene, const RenderOptions& options,
   SceneData data;
   data.constants = constants;
   data.space = normalisationOf(scene);
-  const auto triangles = MeshPacker(scene, data).pack();
+  TexturePacker textures(data);
+  const auto triangles = MeshPacker(scene, data, textures).pack();
   data.triangles = triangles.size();
   const auto start = std::chrono::steady_clock::now();
   data.bvh = buildBvh(triangles, options.threads);
   data.buildSeconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   sortAttributes(data, triangles);
-  if (scene.integrator == Integrator::DirectWhitted)
+  if (constants[shared::SPEC_LIGHTS] != shared::LIGHTS_NONE)
     for (const PointLight& light : scene.lights)
       data.lights.push_back(lightData(light, data.space));
 
@@ -147,6 +157,8 @@ SceneData packScene(const Scene& scene, const RenderOptions& options,
   packCamera(scene, data);
   packFilter(scene.filter, data);
   packSampler(scene, data);
+  if (scene.environment && constants[shared::SPEC_BACKGROUND] != shared::BACKGROUND_BLACK)
+    textures.packBackground(*scene.environment);
   if (!scene.meshes.empty())
     data.params.albedo = glm::vec4(vec3(scene.meshes.front().bsdf.albedo), 0.0F);
   data.params.film.w = data.bvh.root;

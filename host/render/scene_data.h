@@ -26,6 +26,9 @@ struct SceneData {
   std::vector<shared::Material> materials;
   std::vector<shared::Light> lights;
   std::vector<shared::Jump> jumps;
+  std::vector<shared::Texture> textures;  ///< one a material, instead of `materials`
+  std::vector<glm::vec2> uvs;             ///< three a triangle that shows a texture
+  std::vector<std::uint32_t> images;      ///< all pictures and their tables
   shared::Params params{};
   SpecConstants constants{};
   std::uint64_t triangles = 0;           ///< uploaded

@@ -6,6 +6,7 @@
 
 #include "render/attribute_form.h"
 #include "render/plan_lines.h"
+#include "render/renderings.h"
 #include "render/sample_map.h"
 #include "render/traversal.h"
 #include "vulkan/buffer.h"
@@ -72,6 +73,7 @@ void addCut(const Scene& scene, const RenderOptions& options, const Facts& f,
   plan.figures = {{"width", core.x1 - core.x0},
                   {"height", core.y1 - core.y0},
                   {"samples", samples},
+                  {"pictures", f.pictures},
                   {"triangles", f.triangles},
                   {"nodes", f.data.bvh.nodes.size()},
                   {"depth", f.data.bvh.depth},
@@ -87,6 +89,21 @@ void addCut(const Scene& scene, const RenderOptions& options, const Facts& f,
                   {"samplesSideBySide", beside}};
 }
 
+void noteShown(Integrator shown, const Scene& scene, Facts& facts) {
+  const bool shaded = shown == Integrator::DirectWhitted;
+  facts.shaded = facts.shaded || shaded;
+  facts.coloured =
+      facts.coloured || shown == Integrator::Albedo || (shaded && !scene.lights.empty());
+}
+
+Line integrator(const Scene& scene, std::size_t pictures) {
+  if (pictures == 1)
+    return {"integrator", integratorName(scene.integrator), "a kernel of its own", "all others", 0};
+  return {"integrator", integratorName(scene.integrator),
+          fmt::format("{} from one upload, a kernel each", countOf(pictures, "picture")),
+          "all others", 0};
+}
+
 }  // namespace
 
 std::uint64_t uploadedBytes(const SceneData& data) {
@@ -95,7 +112,9 @@ std::uint64_t uploadedBytes(const SceneData& data) {
          data.attributes.size() * texelBytes(attributeFormat(data.constants)) +
          data.normals.size() * sizeof(glm::vec4) +
          data.materials.size() * sizeof(shared::Material) +
-         data.lights.size() * sizeof(shared::Light) + data.jumps.size() * sizeof(shared::Jump);
+         data.textures.size() * sizeof(shared::Texture) + data.uvs.size() * sizeof(data.uvs[0]) +
+         data.images.size() * sizeof(data.images[0]) + data.lights.size() * sizeof(shared::Light) +
+         data.jumps.size() * sizeof(shared::Jump);
 }
 
 ScenePlan planScene(const Scene& scene, const RenderOptions& options,
@@ -103,17 +122,21 @@ ScenePlan planScene(const Scene& scene, const RenderOptions& options,
   ScenePlan plan;
   plan.device = device.name;
   plan.driver = device.driver;
-  const SpecConstants constants = specialise(scene, options);
+  const std::vector<Rendering> pictures = renderingsOf(scene, options);
+  const SpecConstants constants = constantsOfAll(pictures);
   const SceneData data = packScene(scene, options, constants);
   Facts facts{scene, data, constants[shared::SPEC_STACK]};
+  facts.pictures = pictures.size();
+  noteShown(scene.integrator, scene, facts);
+  for (const Shown& shown : shownBeside(options.more, options.layers))
+    noteShown(shown.integrator, scene, facts);
   for (const Mesh& mesh : scene.meshes) {
     facts.triangles += mesh.triangles.size();
     facts.normals += mesh.normals.size();
     facts.uvs += mesh.uvs.size();
   }
-  plan.lines = {
-      {"integrator", integratorName(scene.integrator), "a kernel of its own", "all others", 0},
-      traversal(scene, facts.triangles, wantedTraversal, device, plan)};
+  plan.lines = {integrator(scene, pictures.size()),
+                traversal(scene, facts.triangles, wantedTraversal, device, plan)};
   for (Line& line : sceneLines(facts)) plan.lines.push_back(std::move(line));
   plan.lines.push_back(adaptive(scene, options));
   addCut(scene, options, facts, device, plan);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render/sampler_data.h"
+#include "render/texture_data.h"
 
 namespace laver {
 namespace {
@@ -53,15 +54,22 @@ std::uint32_t filterConstant(const Filter& filter) {
 }
 
 SpecConstants specialise(const Scene& scene, const RenderOptions& options) {
+  return specialise(scene, scene.integrator, options);
+}
+
+SpecConstants specialise(const Scene& scene, Integrator shown, const RenderOptions& options) {
   const auto& meshes = scene.meshes;
-  const bool shaded = scene.integrator == Integrator::DirectWhitted;
-  const bool hits = !shaded || !scene.lights.empty();
+  const bool shaded = shown == Integrator::DirectWhitted;
+  // Without a light nothing that is hit shows; a background shows where nothing is.
+  const bool surfaces = !shaded || !scene.lights.empty();
+  const bool hits = surfaces || scene.environment;
   const bool normals =
-      hits && scene.integrator != Integrator::Depth &&
+      surfaces && shown != Integrator::Depth && shown != Integrator::Albedo &&
       std::any_of(meshes.begin(), meshes.end(), [](const Mesh& m) { return !m.normals.empty(); });
+  const bool coloured = shaded || shown == Integrator::Albedo;
   const bool albedos =
-      shaded && hits && std::any_of(meshes.begin(), meshes.end(), [&](const Mesh& m) {
-        return m.bsdf.albedo != meshes.front().bsdf.albedo;
+      coloured && surfaces && std::any_of(meshes.begin(), meshes.end(), [&](const Mesh& m) {
+        return m.bsdf.albedo != meshes.front().bsdf.albedo || (m.bsdf.texture && meshes.size() > 1);
       });
   SpecConstants constants{};
   constants[shared::SPEC_STACK] = likelyStack(scene);
@@ -78,6 +86,7 @@ SpecConstants specialise(const Scene& scene, const RenderOptions& options) {
   constants[shared::SPEC_APRON] = apronOf(scene.filter.radius);
   constants[shared::SPEC_NORI_TABLE] = options.noriCompat ? 1 : 0;
   constants[shared::SPEC_ADAPTIVE] = options.error > 0.0 ? 1 : 0;
+  specialiseTextures(scene, shown, constants);
   constants[shared::SPEC_HITS] = hits ? 1 : 0;
   constants[shared::SPEC_DARK_SIDES] = 0;
   constants[shared::SPEC_INDEX_BYTES] = indexBytes(scene, normals);
@@ -103,6 +112,9 @@ SpecConstants generalise(SpecConstants constants, std::uint32_t which) {
   any[shared::SPEC_FILTER] = shared::FILTER_AT_RUN_TIME;
   // The widest that the faster gathering kernel takes.
   any[shared::SPEC_APRON] = std::max(4U, constants[shared::SPEC_APRON]);
+  any[shared::SPEC_TEXTURES] = shared::TEXTURES_CHECKER | shared::TEXTURES_IMAGE;
+  any[shared::SPEC_IMAGES] = shared::IMAGES_BYTES | shared::IMAGES_FLOATS;
+  any[shared::SPEC_BACKGROUND] = shared::BACKGROUND_IMAGE;
   any[shared::SPEC_HITS] = any[shared::SPEC_DARK_SIDES] = 1;
   any[shared::SPEC_INDEX_BYTES] = 4;
   for (std::uint32_t c = 0; c < constants.size(); ++c)

@@ -21,13 +21,19 @@ void Stats::describe(const SceneData& data) {
   triangleBytes = data.bvh.triangles.size() * sizeof(shared::Triangle);
   attributeBytes = data.attributes.size() * texelBytes(attributeFormat(data.constants)) +
                    data.normals.size() * sizeof(glm::vec4) +
-                   data.materials.size() * sizeof(shared::Material);
+                   data.materials.size() * sizeof(shared::Material) +
+                   data.textures.size() * sizeof(shared::Texture);
+  imageBytes = data.images.size() * sizeof(data.images[0]);
+  uvBytes = data.uvs.size() * sizeof(data.uvs[0]);
   seconds.build = data.buildSeconds;
   const SpecConstants& c = data.constants;
   if (c[shared::SPEC_HITS] == 0) leftOut.emplace_back("camera rays and the tree: no light");
   if (c[shared::SPEC_NORMALS] == 0) leftOut.emplace_back("vertex normals: none needed");
   if (c[shared::SPEC_ALBEDOS] == 0) leftOut.emplace_back("materials: one albedo or none needed");
   if (c[shared::SPEC_LIGHTS] == 0) leftOut.emplace_back("shadow rays: no light needed");
+  if (c[shared::SPEC_TEXTURES] == 0) leftOut.emplace_back("textures: none needed");
+  if (c[shared::SPEC_BACKGROUND] == shared::BACKGROUND_BLACK)
+    leftOut.emplace_back("background: none needed");
   if (c[shared::SPEC_JUMP_LEVELS] < 3)
     leftOut.push_back(fmt::format("sampler tables: {} of 3 needed", c[shared::SPEC_JUMP_LEVELS]));
 }
@@ -77,6 +83,7 @@ nlohmann::json Stats::json() const {
             {"nodeBytes", nodeBytes},
             {"triangleBytes", triangleBytes},
             {"attributeBytes", attributeBytes}}},
+          {"textures", {{"imageBytes", imageBytes}, {"uvBytes", uvBytes}}},
           {"samples",
            {{"total", samples},
             {"dropped", droppedSamples},
@@ -102,8 +109,11 @@ std::string Stats::text() const {
                      triangles, droppedTriangles, collapsedTriangles);
   out += fmt::format("bvh          {} nodes, {} leaves, depth {}, stack {}, SAH cost {:.2f}\n",
                      nodes, leaves, depth, stack, sahCost);
-  out += fmt::format("bytes        nodes {}, triangles {}, attributes {}\n", nodeBytes,
-                     triangleBytes, attributeBytes);
+  out += fmt::format("bytes        nodes {}, triangles {}, attributes {}", nodeBytes, triangleBytes,
+                     attributeBytes);
+  if (imageBytes + uvBytes != 0)
+    out += fmt::format(", pictures {}, texture coordinates {}", imageBytes, uvBytes);
+  out += '\n';
   out += fmt::format("samples      {} in {} passes of {} a pixel, {} bands, {} dropped\n", samples,
                      passes, samplesAPass, bands, droppedSamples);
   if (adaptive.error > 0.0)

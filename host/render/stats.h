@@ -30,6 +30,7 @@ struct Stats {
   std::string device, driver, traversal;
   std::uint64_t triangles = 0, collapsedTriangles = 0, droppedTriangles = 0;
   std::uint64_t nodes = 0, leaves = 0, nodeBytes = 0, triangleBytes = 0, attributeBytes = 0;
+  std::uint64_t imageBytes = 0, uvBytes = 0;
   std::uint32_t depth = 0, stack = 0;
   double sahCost = 0;
   std::uint32_t passes = 0, bands = 0, samplesAPass = 0;

@@ -11,14 +11,16 @@ namespace {
 struct IntegratorName {
   Integrator integrator;
   const char* name;    // in the XML
-  const char* object;  // in the dump
+  const char* object;  // in the dump; nullptr: a layer, which no scene names
 };
 constexpr std::array kIntegrators = {
     IntegratorName{Integrator::Normals, "normals", "NormalIntegrator"},
     IntegratorName{Integrator::DirectWhitted, "direct_whitted", "DirectWhittedIntegrator"},
     IntegratorName{Integrator::Depth, "depth", "DepthIntegrator"},
     IntegratorName{Integrator::AverageVisibility, "av", "AverageVisibilityIntegrator"},
-    IntegratorName{Integrator::AmbientOcclusion, "ao", "AmbientOcclusionIntegrator"}};
+    IntegratorName{Integrator::AmbientOcclusion, "ao", "AmbientOcclusionIntegrator"},
+    IntegratorName{Integrator::ShadingNormal, "shading_normal", nullptr},
+    IntegratorName{Integrator::Albedo, "albedo", nullptr}};
 
 const IntegratorName& entry(Integrator integrator) {
   for (const IntegratorName& candidate : kIntegrators) {
@@ -102,11 +104,32 @@ std::string describeLight(const PointLight& light) {
                      triple(light.position), triple(light.radiance));
 }
 
+std::string describeTexture(const Texture& texture) {
+  const std::string place =
+      fmt::format("scale = [{:g}, {:g}], offset = [{:g}, {:g}]", texture.scale.x, texture.scale.y,
+                  plain(texture.offset.x), plain(texture.offset.y));
+  if (texture.kind == Texture::Kind::Checker)
+    return fmt::format("CheckerTexture[color1 = {}, color2 = {}, {}]", triple(texture.colors[0]),
+                       triple(texture.colors[1]), place);
+  return fmt::format("Texture[name = \"{}\", color = {}, {}]", texture.filename,
+                     triple(texture.colors[0]), place);
+}
+
+std::string describeEnvironment(const std::optional<Environment>& environment) {
+  if (!environment) return "null";
+  const std::string key = "    toWorld = ";
+  return fmt::format(
+      "EnvironmentEmitter[\n    radiance = {},\n    environment = \"{}\",\n{}{}\n  ]",
+      triple(environment->radiance), environment->filename, key,
+      rows(environment->toWorld, key.size()));
+}
+
 std::string describeMesh(const Mesh& mesh) {
   return fmt::format(
       "    Mesh[\n      name = \"{}\",\n      vertexCount = {},\n      triangleCount = {},\n"
       "      bsdf = Diffuse[\n        albedo = {}\n      ],\n      emitter = null\n    ]",
-      mesh.name, mesh.positions.size(), mesh.triangles.size(), triple(mesh.bsdf.albedo));
+      mesh.name, mesh.positions.size(), mesh.triangles.size(),
+      mesh.bsdf.texture ? describeTexture(*mesh.bsdf.texture) : triple(mesh.bsdf.albedo));
 }
 
 template <class T>
@@ -125,7 +148,7 @@ const char* integratorName(Integrator integrator) { return entry(integrator).nam
 
 std::optional<Integrator> integratorFromName(const std::string& name) {
   for (const IntegratorName& candidate : kIntegrators) {
-    if (candidate.name == name) return candidate.integrator;
+    if (candidate.name == name && candidate.object != nullptr) return candidate.integrator;
   }
   return std::nullopt;
 }
@@ -149,9 +172,9 @@ std::string describe(const Scene& scene) {
   // The missing comma behind the sampler is Nori's.
   std::string text = fmt::format(
       "Scene[\n  integrator = {},\n  sampler = {}\n  camera = {},\n  medium = null,\n"
-      "  envEmitter = null,\n",
+      "  envEmitter = {},\n",
       describeIntegrator(scene), describeSampler(scene.sampler),
-      describeCamera(scene.camera, scene.filter));
+      describeCamera(scene.camera, scene.filter), describeEnvironment(scene.environment));
   if (!scene.lights.empty()) {
     text += fmt::format("  emitters = {},\n", list(scene.lights, describeLight));
   }

@@ -6,6 +6,7 @@
 #include "scene/mesh_files.h"
 #include "scene/node.h"
 #include "scene/reader.h"
+#include "scene/texture_files.h"
 
 namespace laver {
 
@@ -13,7 +14,7 @@ xml::Draft xml::readDraft(const TextSource& source, const SceneOverrides& overri
                           Diagnostics& diagnostics) {
   pugi::xml_document document;
   const pugi::xml_node root = parseDocument(source, document, diagnostics);
-  Draft draft{overrides, {}, {}, {}};
+  Draft draft{overrides, {}, {}, {}, 0};
   draft.scene.file = source.file();
   if (root) Reader(source, draft, diagnostics).readScene(root);
   return draft;
@@ -29,7 +30,9 @@ LoadedScene load(const std::string& file, const SceneOverrides& overrides) {
   const xml::TextSource source(file, std::move(read.text));
   xml::Diagnostics diagnostics(source);
   xml::Draft draft = xml::readDraft(source, overrides, diagnostics);
+  xml::loadTextures(source, draft, diagnostics);
   xml::loadMeshes(source, draft, diagnostics);
+  xml::warnOfMissingUvs(draft, diagnostics);
   diagnostics.throwErrors();
   return {std::move(draft.scene), diagnostics.warnings()};
 }

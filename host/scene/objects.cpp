@@ -8,6 +8,7 @@
 
 #include "scene/properties.h"
 #include "scene/schema.h"
+#include "scene/texture_objects.h"
 
 namespace laver::xml {
 namespace {
@@ -144,7 +145,7 @@ void buildObj(const Properties& given, std::string_view, Draft& draft) {
     name = given.text("filename");
     if (name.empty()) given.error("filename", "filename is empty, expected an OBJ file");
   }
-  draft.meshes.push_back({given.offset(), name, given.transform("toWorld"), {}});
+  draft.meshes.push_back({given.offset(), name, given.transform("toWorld"), {}, 0});
 }
 
 constexpr std::array kDiffuse = {PropertyRule{"albedo", Color, "0.5 0.5 0.5"}};
@@ -190,6 +191,13 @@ constexpr std::array kObjects = {
     ObjectRule{"bsdf", "diffuse", kDiffuse, buildDiffuse},
     ObjectRule{"emitter", "pointlight", kPointLight, buildPointLight},
     ObjectRule{"emitter", "point", kPowerLight, buildPowerLight},
+    ObjectRule{"emitter", "environment", kEnvironment, buildEnvironment},
+    ObjectRule{"emitter", "envmap", kEnvironment, buildEnvmap},
+    ObjectRule{"emitter", "constant", kConstant, buildConstant},
+    ObjectRule{"texture", "checker", kChecker, buildChecker},
+    ObjectRule{"texture", "textmap", kTextmap, buildTextmap},
+    ObjectRule{"texture", "image_texture", kTextmap, buildTextmap},
+    ObjectRule{"texture", "bitmap", kTextmap, buildTextmap},
 };
 
 }  // namespace

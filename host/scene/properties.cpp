@@ -52,6 +52,8 @@ std::int64_t Properties::integer(std::string_view name) const {
   return std::get<std::int64_t>(slot(name).value);
 }
 
+bool Properties::boolean(std::string_view name) const { return std::get<bool>(slot(name).value); }
+
 glm::dvec3 Properties::triple(std::string_view name) const {
   return std::get<glm::dvec3>(slot(name).value);
 }

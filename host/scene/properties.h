@@ -26,6 +26,7 @@ class Properties {
   /// Values by name; the name and the type must be the rule's.
   double real(std::string_view name) const;
   std::int64_t integer(std::string_view name) const;
+  bool boolean(std::string_view name) const;
   glm::dvec3 triple(std::string_view name) const;
   glm::dmat4 transform(std::string_view name) const;
   const std::string& text(std::string_view name) const;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "scene/suggest.h"
 #include "scene/transform_reader.h"
 
@@ -66,7 +68,7 @@ void Reader::readChildren(pugi::xml_node node, Properties* properties, std::stri
     if (!isElement(child) || findPropertyType(child.name()) || findOperation(child.name()))
       continue;
     if (const TagRule* rule = findTag(child.name())) {
-      readObject(child, *rule, node.name());
+      readObject(child, *rule, properties->rule());
     } else {
       readUnknownTag(child);
     }
@@ -149,7 +151,8 @@ bool Reader::checkPlace(pugi::xml_node node, const TagRule& rule, std::string_vi
 
 void Reader::missing(pugi::xml_node node, Need need, const std::string& message) {
   const bool needed =
-      need == Need::Always || (need == Need::Shading && integrator_ && shades(*integrator_));
+      need == Need::Always || (need == Need::Shading &&
+                               (draft_.overrides.shading || (integrator_ && shades(*integrator_))));
   if (needed) {
     diagnostics_.error(at(node), message);
   } else {
@@ -160,8 +163,35 @@ void Reader::missing(pugi::xml_node node, Need need, const std::string& message)
   }
 }
 
-void Reader::readObject(pugi::xml_node node, const TagRule& rule, std::string_view parent) {
-  if (!checkPlace(node, rule, parent)) return;
+// A texture stands for a colour of the material around it.
+bool Reader::checkTexture(pugi::xml_node node, const ObjectRule& parent) {
+  if (parent.tag != std::string_view("bsdf")) {
+    missing(node, Need::Shading,
+            fmt::format("<texture> stands in {}, expected it in <bsdf>", nameOf(parent)));
+    return false;
+  }
+  const std::string_view name = node.attribute("name").value();
+  std::vector<std::string_view> names;
+  for (const PropertyRule& property : parent.properties)
+    if (property.type == PropertyType::Color) names.emplace_back(property.name);
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    missing(node, Need::Shading,
+            fmt::format("<texture> stands for {} of {}, expected name={}", inQuotes(name),
+                        nameOf(parent), expectedNames(name, names)));
+    return false;
+  }
+  for (const pugi::xml_node other : node.parent().children())
+    if (other != node && name == other.attribute("name").value() &&
+        (findPropertyType(other.name()) || other.offset_debug() < node.offset_debug()))
+      diagnostics_.warning(
+          at(node),
+          fmt::format("the property {} is there twice: {}", inQuotes(name),
+                      findPropertyType(other.name()) ? "the texture counts" : "the last counts"));
+  return true;
+}
+
+void Reader::readObject(pugi::xml_node node, const TagRule& rule, const ObjectRule& parent) {
+  if (!checkPlace(node, rule, parent.tag)) return;
   const char* type = requireAttribute(node, "type", source_, diagnostics_);
   if (!type) return;
   // All samplers take the same properties, also those that laver does not have.
@@ -170,8 +200,9 @@ void Reader::readObject(pugi::xml_node node, const TagRule& rule, std::string_vi
   const ObjectRule* object = findObject(rule.tag, type);
   if (object) {
     checkAttributes(node, {"type", "name"}, source_, diagnostics_);
+    if (rule.tag == std::string_view("texture") && !checkTexture(node, parent)) return;
     Properties properties(*object, at(node), diagnostics_);
-    readChildren(node, &properties, parent);
+    readChildren(node, &properties, parent.tag);
     return;
   }
   const auto types = knownTypes(rule.tag);

@@ -19,9 +19,10 @@ class Reader {
   void readChildren(pugi::xml_node node, Properties* properties, std::string_view parent);
   void readProperty(pugi::xml_node node, PropertyType type, Properties& properties);
   std::optional<Value> readValue(pugi::xml_node node, PropertyType type, PropertyType wanted);
-  void readObject(pugi::xml_node node, const TagRule& rule, std::string_view parent);
+  void readObject(pugi::xml_node node, const TagRule& rule, const ObjectRule& parent);
   void readUnknownTag(pugi::xml_node node);
   bool checkPlace(pugi::xml_node node, const TagRule& rule, std::string_view parent);
+  bool checkTexture(pugi::xml_node node, const ObjectRule& parent);
   void missing(pugi::xml_node node, Need need, const std::string& message);
   void buildDefault(const char* tag, const char* type, std::size_t offset);
   void findIntegrator(pugi::xml_node root);

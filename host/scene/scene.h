@@ -6,10 +6,21 @@
 #include <string>
 #include <vector>
 
+#include "scene/texture.h"
+
 namespace laver {
 
-/// What a pixel shows.
-enum class Integrator { Normals, DirectWhitted, Depth, AverageVisibility, AmbientOcclusion };
+/// What a pixel shows. The last two are layers, which no scene names: the shading normal with its
+/// signs, and the albedo.
+enum class Integrator {
+  Normals,
+  DirectWhitted,
+  Depth,
+  AverageVisibility,
+  AmbientOcclusion,
+  ShadingNormal,
+  Albedo
+};
 
 /// Pinhole camera. Camera space: +x left, +y up, +z forward.
 struct Camera {
@@ -46,6 +57,7 @@ struct Sampler {
 /// Lambertian reflection.
 struct Diffuse {
   glm::dvec3 albedo{0.5};
+  std::optional<Texture> texture;  ///< stands for the albedo
 };
 
 /// Isotropic point light: radiance / distance^2 arrives at a surface.
@@ -76,6 +88,7 @@ struct Scene {
   Sampler sampler;
   std::vector<Mesh> meshes;
   std::vector<PointLight> lights;
+  std::optional<Environment> environment;
 };
 
 /// What the command line changes in a scene before it is checked.
@@ -85,6 +98,8 @@ struct SceneOverrides {
   std::optional<std::uint32_t> sampleCount;
   std::optional<std::int64_t> seed;
   std::optional<glm::ivec2> size;  ///< width, height in pixels
+  bool shading = false;            ///< materials and lights are needed, whatever the integrator
+  bool noriCompat = false;         ///< textures of 8 and 16 bits are taken for linear
 };
 
 /// A scene and what its reader should be told: one `file:line:col: warning: ...` line each.
@@ -93,8 +108,9 @@ struct LoadedScene {
   std::vector<std::string> warnings;
 };
 
-/// Reads a Nori XML scene and its meshes. Throws Error(ExitCode::Scene) whose text holds one
-/// `file:line:col: error: ...` line for every error found.
+/// Reads a Nori XML scene, its meshes and, where the integrator needs them, its pictures. Throws
+/// Error(ExitCode::Scene) whose text holds one `file:line:col: error: ...` line for every error
+/// found.
 LoadedScene loadScene(const std::string& file, const SceneOverrides& overrides = {});
 
 /// Nori's name of an integrator, as in the XML.

@@ -24,6 +24,7 @@ struct MeshDraft {
   std::string filename;
   glm::dmat4 toWorld{1.0};
   Diffuse bsdf;
+  std::size_t textureOffset = 0;  ///< of its texture's tag
 };
 
 /// A scene while it is read.
@@ -32,6 +33,7 @@ struct Draft {
   Scene scene;
   std::vector<MeshDraft> meshes;
   std::vector<PointLight> meshLights;  ///< they come after the scene's own
+  std::size_t environmentOffset = 0;   ///< of its tag
 };
 
 /// An object that laver has: what it takes and what it does to the scene. `parent` is the tag that
@@ -91,5 +93,7 @@ std::vector<std::string_view> knownTags();
 
 /// Whether an integrator looks at materials and lights.
 bool shades(Integrator integrator);
+/// Whether something that is rendered of the scene does.
+bool needsShading(const Draft& draft);
 
 }  // namespace laver::xml

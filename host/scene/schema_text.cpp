@@ -28,6 +28,7 @@ nlohmann::json elementJson(const TagRule& tag) {
   json["in"] = nlohmann::json::array();
   std::istringstream parents(tag.parents);
   for (std::string parent; parents >> parent;) json["in"].push_back(parent);
+  if (std::string_view(tag.tag) == "texture") json["in"] = {"bsdf"};  // Reader::checkTexture
   json["types"] = nlohmann::json::array();
   for (const ObjectRule& object : objectRules()) {
     if (object.tag != std::string_view(tag.tag)) continue;
@@ -43,7 +44,7 @@ std::string propertyLine(const nlohmann::json& property) {
   std::string value = "required";
   if (!property["required"]) {
     value = property["default"];
-    if (value.empty()) value = "identity";
+    if (value.empty()) value = property["type"] == "transform" ? "identity" : "none";
   }
   return fmt::format("    {:<12} {:<10} {}\n", property["name"].get<std::string>(),
                      property["type"].get<std::string>(), value);

@@ -150,6 +150,7 @@ VkDeviceSize texelBytes(VkFormat format) {
     case VK_FORMAT_R8G8B8A8_UINT:
       return 4;
     case VK_FORMAT_R16G16B16A16_UINT:
+    case VK_FORMAT_R32G32_UINT:
       return 8;
     default:
       return 16;

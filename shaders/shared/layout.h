@@ -23,7 +23,10 @@ LAVER_CONST uint BIND_SAMPLE_TEXELS = 12;    // T of vec4: the samples, for read
 LAVER_CONST uint BIND_SAMPLE_Y_TEXELS = 13;  // T of float
 LAVER_CONST uint BIND_COUNTS = 14;  // T Count, of the cells of the region; adaptive sampling only
 LAVER_CONST uint BIND_WORK = 15;    // T Work; adaptive sampling only
-LAVER_CONST uint BINDINGS = 16;
+LAVER_CONST uint BIND_TEXTURES = 16;      // T Texture, one a material
+LAVER_CONST uint BIND_UVS = 17;           // T of uvec2: u, v of each corner of textured triangles
+LAVER_CONST uint BIND_IMAGES = 18;        // T of uint: pixels of all pictures, and their tables
+LAVER_CONST uint BINDINGS = 19;
 
 // Specialisation constants: what the scene needs (shaders/*.glsl say what each leaves out).
 LAVER_CONST uint SPEC_STACK = 0;         // entries of the traversal stack
@@ -36,10 +39,13 @@ LAVER_CONST uint SPEC_APRON = 6;         // pixels on each side that a sample ca
 LAVER_CONST uint SPEC_NORI_TABLE = 7;    // filter weights from Nori's table
 LAVER_CONST uint SPEC_SAMPLER = 8;       // SAMPLER_*
 LAVER_CONST uint SPEC_ADAPTIVE = 9;      // cells have sample counts of their own (adaptive.glsl)
-LAVER_CONST uint SPEC_HITS = 10;         // what rays hit shows; else none is traced
-LAVER_CONST uint SPEC_DARK_SIDES = 11;   // shadow rays even where n.l <= 0: never needed
-LAVER_CONST uint SPEC_INDEX_BYTES = 12;  // of an index in Attributes: 1, 2 or 4; the host's alone
-LAVER_CONST uint SPEC_CONSTANTS = 13;
+LAVER_CONST uint SPEC_TEXTURES = 10;     // TEXTURES_* that some mesh shows
+LAVER_CONST uint SPEC_IMAGES = 11;       // IMAGES_* that a texture or the background has
+LAVER_CONST uint SPEC_BACKGROUND = 12;   // BACKGROUND_*
+LAVER_CONST uint SPEC_HITS = 13;         // what rays hit or miss shows; else none is traced
+LAVER_CONST uint SPEC_DARK_SIDES = 14;   // shadow rays even where n.l <= 0: never needed
+LAVER_CONST uint SPEC_INDEX_BYTES = 15;  // of an index in Attributes: 1, 2 or 4; the host's alone
+LAVER_CONST uint SPEC_CONSTANTS = 16;
 
 LAVER_CONST uint FILTER_GAUSSIAN = 0;
 LAVER_CONST uint FILTER_MITCHELL = 1;
@@ -58,6 +64,15 @@ LAVER_CONST uint LIGHTS_NONE = 0;
 LAVER_CONST uint LIGHTS_FEW = 1;
 LAVER_CONST uint LIGHTS_MANY = 2;
 LAVER_CONST uint LIGHTS_A_DISPATCH = 8;
+
+// Bits.
+LAVER_CONST uint TEXTURES_CHECKER = 1;
+LAVER_CONST uint TEXTURES_IMAGE = 2;
+LAVER_CONST uint IMAGES_BYTES = 1;   // a pixel is one word: r | g << 8 | b << 16
+LAVER_CONST uint IMAGES_FLOATS = 2;  // a pixel is three words
+LAVER_CONST uint BACKGROUND_BLACK = 0;
+LAVER_CONST uint BACKGROUND_CONSTANT = 1;
+LAVER_CONST uint BACKGROUND_IMAGE = 2;
 
 LAVER_CONST uint GATHER_GROUP = 64;  // columns
 // Samples of a pixel that are summed plainly before a compensated sum takes them: a pass holds a
@@ -108,16 +123,37 @@ struct Triangle {
 };
 
 // Normal indices are NO_NORMAL for a mesh without vertex normals; no vertex has that one. 1 texel
-// of four numbers, or of one, the material, where the kernel reads no normals.
+// of four numbers, or of one, the material, where no kernel of the scene reads normals.
 LAVER_CONST uint NO_NORMAL = 0;
 struct Attributes {
+  uint material;  // first: there in both forms
   uint normalA, normalB, normalC;
-  uint material;
 };
 
 struct Material {
   vec3 albedo;
   float pad;
+};
+
+// Pixels from `first` on, rows from the top. Those of bytes stand for the floats that `table` has
+// for each of 256 values; NO_TABLE: the pixels are floats.
+LAVER_CONST uint NO_TABLE = 0xffffffffu;
+struct Picture {
+  uint first, width, height, table;
+};
+
+// What a material shows at (s, t) = uv * scale + offset. 4 texels.
+LAVER_CONST uint TEXTURE_NONE = 0;  // color1
+LAVER_CONST uint TEXTURE_CHECKER = 1;
+LAVER_CONST uint TEXTURE_IMAGE = 2;  // color1 times the picture
+struct Texture {
+  vec3 color1;
+  uint kind;
+  vec3 color2;
+  uint uvs;  // triangle `id` has the texels 3 * (id + uvs) to + 2, for its corners as stored
+  vec2 scale;
+  vec2 offset;
+  Picture picture;
 };
 
 struct Light {
@@ -162,7 +198,7 @@ struct Params {
   vec4 columnX;    // ray direction = columnX * (width - 2 px) + columnY * (height - 2 py) + columnZ
   vec4 columnY;
   vec4 columnZ;
-  vec4 clip;       // tmin, tmax, 1 / scale of space, how far av and ao look
+  vec4 clip;       // tmin, tmax, 1 / scale of space, how far av looks
   vec4 albedo;     // of all meshes, where they agree
   uvec4 film;      // width, height, samples a pixel, reference of the root
   uvec4 seed;      // low, high; hash of both, half a step of the sample grid in 2^-32 pixels
@@ -171,6 +207,8 @@ struct Params {
   uvec4 samplerArgs;
   vec4 filterArgs; // radius, two numbers that filter.glsl explains, FILTER_*
   vec4 table[9];   // Nori's table, 33 entries, or for FILTER_GAUSSIAN_NARROW exp(alpha k^2)
+  vec4 background[3];  // rows of the matrix from the world to the picture's space; w: radiance
+  Picture backgroundPicture;
 };
 
 // Push constants of both kernels.
@@ -184,7 +222,10 @@ struct Pass {
   uvec4 lights;  // first, count, 1 in the first dispatch of a pass, 1 in the last
 };
 
-// Compensated sums: value = sum + rest. rgb weighted radiance, a weight.
+// Compensated sums: value = sum + rest. rgb weighted radiance, a weight. From centres.comp: sum =
+// position in normalised space, distance in scene units, 0 for no hit; rest = weights of the second
+// and third corner as stored, number of the triangle as its low and its high 16 bits, which floats
+// hold exactly.
 struct FilmPixel {
   vec4 sum;
   vec4 rest;
@@ -201,10 +242,11 @@ static_assert(sizeof(Node) == 256);
 static_assert(sizeof(Triangle) == 48 && offsetof(Triangle, c) == 32);
 static_assert(sizeof(Attributes) == 16);
 static_assert(sizeof(Material) == 16);
+static_assert(sizeof(Texture) == 64 && offsetof(Texture, picture) == 48);
 static_assert(sizeof(Light) == 32 && offsetof(Light, radiance) == 16);
 static_assert(sizeof(Jump) == 16);
 static_assert(sizeof(Count) == 16 && sizeof(Work) == 16);
-static_assert(sizeof(Params) == 304 && offsetof(Params, film) == 96);
+static_assert(sizeof(Params) == 368 && offsetof(Params, film) == 96);
 static_assert(sizeof(Pass) == 80);
 static_assert(sizeof(FilmPixel) == 32);
 static_assert(sizeof(Status) == 8);

@@ -34,6 +34,9 @@ constexpr std::array kConstants = {
     Constant{"filter", 1U << shared::SPEC_FILTER},
     Constant{"filter's reach", 1U << shared::SPEC_APRON},
     Constant{"indices", 1U << shared::SPEC_INDEX_BYTES},
+    Constant{"textures", 1U << shared::SPEC_TEXTURES},
+    Constant{"pictures", 1U << shared::SPEC_IMAGES},
+    Constant{"background", 1U << shared::SPEC_BACKGROUND},
     Constant{"all of them", kAllConstants}};
 
 struct Side {

@@ -64,7 +64,7 @@ TEST(SameBits, KernelsSpecialisedToTheSceneOrNot) {
   generic.generic = kAllConstants;
   for (const char* name :
        {"bunny-normals.xml", "bunny-whitted.xml", "bunny-depth.xml", "cornell-two-lights.xml",
-        "curved-normals.xml", "mirrored-instances.xml"}) {
+        "curved-normals.xml", "mirrored-instances.xml", "textured.xml"}) {
     const Scene scene = smallScene(name, 96, 2);
     EXPECT_EQ(differingFloats(render(scene), render(scene, generic)), 0U) << name;
   }

@@ -92,6 +92,30 @@ TEST(ScenePlan, TellsWhatSamplerAdaptionAndDensityDecide) {
   EXPECT_EQ(line(plan, "adaptive").decision, "4 to 84 samples a pixel");
 }
 
+TEST(ScenePlan, TellsOfTexturesBackgroundAndLayers) {
+  Scene scene = smallScene("curved-normals.xml", 16, 1);
+  scene.integrator = Integrator::DirectWhitted;
+  scene.lights.clear();
+  scene.meshes[0].bsdf.texture = Texture();
+  ScenePlan plan = planScene(scene, {}, "", cpu());
+  EXPECT_EQ(line(plan, "camera rays").decision, "none traced");
+  EXPECT_EQ(line(plan, "textures").decision, "left out");
+  EXPECT_EQ(line(plan, "background").decision, "black");
+  scene.environment = Environment();
+  plan = planScene(scene, {}, "", cpu());
+  EXPECT_EQ(line(plan, "camera rays").reason, "what they miss shows");
+  EXPECT_EQ(line(plan, "background").decision, "one radiance");
+  EXPECT_EQ(line(plan, "vertex normals").decision, "left out");
+  RenderOptions options;
+  options.layers = {Layer::Albedo, Layer::Normals};
+  plan = planScene(scene, options, "", cpu());
+  EXPECT_EQ(plan.figures["pictures"], 3);
+  EXPECT_EQ(line(plan, "camera rays").reason, "what they hit shows");
+  EXPECT_EQ(line(plan, "textures").decision, "checkers");
+  EXPECT_EQ(line(plan, "pictures").decision, "left out");
+  EXPECT_NE(line(plan, "vertex normals").decision, "left out");
+}
+
 TEST_F(CommandLine, PlanPrintsTextAndJsonAndWritesNothing) {
   write("test.xml", kFirstScene);
   const Outcome text = laver("plan test.xml --device cpu --spp 7");

@@ -62,7 +62,12 @@ TEST(Specialise, WithoutALightNothingIsTraced) {
   EXPECT_EQ(hits(Integrator::Depth), 1U);
   EXPECT_EQ(hits(Integrator::AverageVisibility), 1U);
   EXPECT_EQ(hits(Integrator::AmbientOcclusion), 1U);
+  EXPECT_EQ(hits(Integrator::ShadingNormal), 1U);
+  EXPECT_EQ(hits(Integrator::Albedo), 1U);
   EXPECT_EQ(hits(Integrator::DirectWhitted), 0U);
+  scene.environment = Environment();
+  EXPECT_EQ(hits(Integrator::DirectWhitted), 1U);
+  scene.environment.reset();
   scene.lights.resize(1);
   EXPECT_EQ(hits(Integrator::DirectWhitted), 1U);
 }

@@ -224,15 +224,17 @@ const std::vector<Case> kLacking = {
     {"bsdf", scene(mesh("\n<bsdf type=\"disney\"/>"), "direct_whitted"),
      "f.xml:3:2: error: laver has no bsdf of type \"disney\": expected \"diffuse\""},
     {"area_light", scene(mesh("\n<emitter type=\"area\"/>"), "direct_whitted"),
-     "f.xml:3:2: error: laver has no emitter of type \"area\": expected \"pointlight\" or "
-     "\"point\" (nearest: \"point\")"},
-    {"environment", scene("<emitter type=\"envmap\"/>", "direct_whitted"),
-     "f.xml:2:2: error: laver has no emitter of type \"envmap\": expected \"pointlight\" or "
-     "\"point\" (nearest: \"point\")"},
+     "f.xml:3:2: error: laver has no emitter of type \"area\": expected \"pointlight\", "
+     "\"point\", \"environment\", \"envmap\" or \"constant\" (nearest: \"point\")"},
+    {"sky", scene("<emitter type=\"sky\"/>", "direct_whitted"),
+     "f.xml:2:2: error: laver has no emitter of type \"sky\": expected \"pointlight\", "
+     "\"point\", \"environment\", \"envmap\" or \"constant\" (nearest: \"point\")"},
     {"texture",
-     scene(mesh("<bsdf type=\"diffuse\">\n<texture name=\"albedo\" type=\"checker\"/></bsdf>"),
+     scene(mesh("<bsdf type=\"diffuse\">\n<texture name=\"albedo\" type=\"perlin\"/></bsdf>"),
            "direct_whitted"),
-     "f.xml:3:2: error: laver has no texture of type \"checker\": it has none"},
+     "f.xml:3:2: error: laver has no texture of type \"perlin\": expected \"checker\", "
+     "\"textmap\", "
+     "\"image_texture\" or \"bitmap\" (nearest: \"checker\")"},
     {"subsurface", scene(mesh("\n<subsurface type=\"dipole\"/>"), "direct_whitted"),
      "f.xml:3:2: error: unknown tag <subsurface>: the nearest is <bsdf>"},
 };

@@ -15,22 +15,24 @@ TEST_F(SceneLacking, WhatTheIntegratorDoesNotNeedIsWarnedOf) {
   const std::string tail = "; ignored, integrator \"normals\" does not need it";
   EXPECT_EQ(
       files_.warnings(scene("<medium type=\"homogeneous\"><phase type=\"hg\"/></medium>\n"
-                            "<test type=\"ttest\"/>\n<emitter type=\"envmap\"/>\n" +
+                            "<test type=\"ttest\"/>\n<emitter type=\"sky\"/>\n" +
                             mesh("<bsdf type=\"disney\"><foo/></bsdf><emitter type=\"area\"/>\n"
                                  "<subsurface type=\"dipole\"/>") +
                             mesh("<bsdf type=\"diffuse\">\n<texture name=\"albedo\" "
-                                 "type=\"checker\"/></bsdf>"))),
+                                 "type=\"perlin\"/></bsdf>"))),
       "f.xml:2:2: warning: laver has no medium of type \"homogeneous\": it has none" + tail +
           "\nf.xml:3:2: warning: laver has no test of type \"ttest\": it has none" + tail +
-          "\nf.xml:4:2: warning: laver has no emitter of type \"envmap\": expected \"pointlight\" "
-          "or \"point\" (nearest: \"point\")" +
+          "\nf.xml:4:2: warning: laver has no emitter of type \"sky\": expected \"pointlight\", "
+          "\"point\", \"environment\", \"envmap\" or \"constant\" (nearest: \"point\")" +
           tail +
           "\nf.xml:5:58: warning: laver has no bsdf of type \"disney\": expected \"diffuse\"" +
           tail +
-          "\nf.xml:5:91: warning: laver has no emitter of type \"area\": expected \"pointlight\" "
-          "or \"point\" (nearest: \"point\")" +
+          "\nf.xml:5:91: warning: laver has no emitter of type \"area\": expected \"pointlight\", "
+          "\"point\", \"environment\", \"envmap\" or \"constant\" (nearest: \"point\")" +
           tail + "\nf.xml:6:2: warning: unknown tag <subsurface>: the nearest is <bsdf>" + tail +
-          "\nf.xml:7:2: warning: laver has no texture of type \"checker\": it has none" + tail);
+          "\nf.xml:7:2: warning: laver has no texture of type \"perlin\": expected \"checker\", "
+          "\"textmap\", \"image_texture\" or \"bitmap\" (nearest: \"checker\")" +
+          tail);
 }
 
 TEST_F(SceneLacking, WhittedDoesNotNeedAMediumOrATest) {

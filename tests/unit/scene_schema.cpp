@@ -36,7 +36,14 @@ std::string sceneOf(const json& element, const std::string& type, const std::str
   const std::string object = fmt::format("<{0} type=\"{1}\">{2}</{0}>", tag, type, properties);
   if (tag == "integrator") return "<scene>" + object + "</scene>";
   if (place == "camera") return scene("<camera type=\"perspective\">" + object + "</camera>");
-  return scene(place == "mesh" ? mesh(object) : object, "direct_whitted");
+  if (tag == "texture")  // of an integrator that reads no picture
+    return scene(
+        mesh(fmt::format("<bsdf type=\"diffuse\"><texture name=\"albedo\" type=\"{}\">{}"
+                         "</texture></bsdf>",
+                         type, properties)));
+  // Where a background is seen, it must be named, and a warning says what it does not do.
+  const bool background = type == "environment" || type == "envmap" || type == "constant";
+  return scene(place == "mesh" ? mesh(object) : object, background ? "normals" : "direct_whitted");
 }
 
 std::string requiredOf(const json& type, const json& besides) {

@@ -1,0 +1,84 @@
+#include "reference/texture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace laver::reference {
+
+namespace {
+
+// Linear light of the pixel in column x, row y.
+glm::dvec3 pixel(const Picture& picture, bool raw, int x, int y) {
+  glm::dvec3 color;
+  for (int c = 0; c < 3; ++c) {
+    const auto channel = static_cast<std::size_t>(c);
+    if (const auto* floats = std::get_if<Image>(&picture)) {
+      color[c] = static_cast<double>(floats->at(x, y, channel));
+      continue;
+    }
+    const auto& bitmap = std::get<Bitmap>(picture);
+    const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(bitmap.width) +
+                           static_cast<std::size_t>(x);
+    const double value = bitmap.pixels[at][channel] / 255.0;
+    // IEC 61966-2-1.
+    if (raw)
+      color[c] = value;
+    else
+      color[c] = value > 0.04045 ? std::pow((value + 0.055) / 1.055, 2.4) : value / 12.92;
+  }
+  return color;
+}
+
+// Weight 1 - |distance| on each axis for the pixels whose centres are less than 1 away from the
+// place x, y in pixels. Beyond the left and the right border it repeats; beyond the others it
+// repeats or the border goes on.
+glm::dvec3 interpolated(const Picture& picture, bool raw, double x, double y, bool repeats) {
+  const int width = widthOf(picture), height = heightOf(picture);
+  const auto within = [](std::int64_t i, int size) {
+    return static_cast<int>((i % size + size) % size);
+  };
+  const auto left = static_cast<std::int64_t>(std::floor(x - 0.5));
+  const auto top = static_cast<std::int64_t>(std::floor(y - 0.5));
+  glm::dvec3 sum(0.0);
+  for (std::int64_t row = top; row <= top + 1; ++row) {
+    for (std::int64_t column = left; column <= left + 1; ++column) {
+      const double weight = (1.0 - std::abs(x - 0.5 - static_cast<double>(column))) *
+                            (1.0 - std::abs(y - 0.5 - static_cast<double>(row)));
+      const int shown = repeats ? within(row, height)
+                                : static_cast<int>(std::clamp<std::int64_t>(row, 0, height - 1));
+      sum += weight * pixel(picture, raw, within(column, width), shown);
+    }
+  }
+  return sum;
+}
+
+bool odd(double x) { return std::fmod(std::abs(std::floor(x)), 2.0) == 1.0; }
+
+}  // namespace
+
+glm::dvec3 albedoAt(const Diffuse& bsdf, glm::dvec2 uv) {
+  if (!bsdf.texture) return bsdf.albedo;
+  const Texture& texture = *bsdf.texture;
+  const glm::dvec2 st = texture.scale * uv + texture.offset;
+  if (texture.kind == Texture::Kind::Checker) return texture.colors[odd(st.x) == odd(st.y) ? 0 : 1];
+  if (!texture.image) return texture.colors[0];
+  // Whole repetitions change nothing.
+  const double s = st.x - std::floor(st.x), t = st.y - std::floor(st.y);
+  return texture.colors[0] * interpolated(*texture.image, texture.raw, s * widthOf(*texture.image),
+                                          (1.0 - t) * heightOf(*texture.image), true);
+}
+
+glm::dvec3 backgroundAt(const Environment& environment, const glm::dvec3& direction) {
+  if (!environment.image) return environment.radiance;
+  const glm::dvec3 d =
+      glm::normalize(glm::inverse(glm::dmat3(environment.toWorld)) * glm::normalize(direction));
+  constexpr double pi = std::numbers::pi;
+  const double longitude = std::atan2(d.x, -d.z);
+  const double colatitude = std::atan2(std::hypot(d.x, d.z), d.y);
+  return environment.radiance * interpolated(*environment.image, environment.raw,
+                                             longitude / (2 * pi) * widthOf(*environment.image),
+                                             colatitude / pi * heightOf(*environment.image), false);
+}
+
+}  // namespace laver::reference

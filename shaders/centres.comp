@@ -1,0 +1,24 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define LAVER_CENTRES
+#include "integrator.glsl"
+
+// What the ray through a pixel's centre meets, into the film (FilmPixel says how). The samples that
+// the frame stores are not read.
+void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
+  FOR_RAYS (uint r = 0u; r < R; ++r) {
+    const uvec2 place = rayPlace(tileOrigin(), r).xy;
+    const bool hit = hits.slot[r] != NO_HIT;
+    const int texel = int(hit ? hits.slot[r] * 3u : 0u);
+    const uvec4 a = texelFetch(triangleTexels, texel);
+    const vec3 b = texelVec3(texelFetch(triangleTexels, texel + 1));
+    const vec3 c = texelVec3(texelFetch(triangleTexels, texel + 2));
+    const vec3 d = rays.direction[r];
+    const Point p = pointAt(rays.origin, d, texelVec3(a), b, c, false);
+    precise float distance = p.t * sqrt(dotProduct(d, d)) * params.clip.z;
+    if (rays.live[r])
+      filmPixels[place.y * pass.region.z + place.x] =
+          FilmPixel(vec4(p.position, hit ? distance : 0.0),
+                    vec4(p.weights.yz, float(a.w & 0xffffu), float(a.w >> 16)));
+  }
+}

@@ -1,0 +1,142 @@
+// The reference's textures and backgrounds against values worked out by hand.
+#include <gtest/gtest.h>
+
+#include "reference/texture.h"
+#include "reference_seen.h"
+
+namespace laver {
+namespace {
+
+using glm::dvec2;
+using glm::dvec3;
+using reference::albedoAt;
+using reference::backgroundAt;
+using test::expectNear;
+
+std::shared_ptr<const Picture> floats(int width, int height, const std::vector<float>& red) {
+  Image image = rgbImage(width, height);
+  for (std::size_t i = 0; i < red.size(); ++i) image.pixels[3 * i] = red[i];
+  return std::make_shared<const Picture>(std::move(image));
+}
+
+Diffuse showing(std::shared_ptr<const Picture> picture) {
+  Texture texture;
+  texture.kind = Texture::Kind::Image;
+  texture.colors.fill(dvec3(1.0));
+  texture.image = std::move(picture);
+  return {dvec3(0.5), texture};
+}
+
+TEST(ReferenceTexture, NoTextureIsTheAlbedo) {
+  EXPECT_EQ(albedoAt({dvec3(0.1, 0.2, 0.3), {}}, {7, 8}), dvec3(0.1, 0.2, 0.3));
+}
+
+TEST(ReferenceTexture, TheRowsOfAPictureGoDown) {
+  const Diffuse bsdf = showing(floats(2, 2, {1, 2, 3, 4}));
+  EXPECT_EQ(albedoAt(bsdf, {0.25, 0.75}).x, 1.0);
+  EXPECT_EQ(albedoAt(bsdf, {0.75, 0.75}).x, 2.0);
+  EXPECT_EQ(albedoAt(bsdf, {0.25, 0.25}).x, 3.0);
+  EXPECT_EQ(albedoAt(bsdf, {0.75, 0.25}).x, 4.0);
+  EXPECT_DOUBLE_EQ(albedoAt(bsdf, {0.5, 0.5}).x, 2.5);
+  EXPECT_DOUBLE_EQ(albedoAt(bsdf, {0.25 + 0.125, 0.75}).x, 1.25);
+}
+
+TEST(ReferenceTexture, APictureRepeats) {
+  const Diffuse bsdf = showing(floats(4, 2, {1, 2, 3, 4, 50, 60, 70, 80}));
+  for (const dvec2 uv : {dvec2(0.1, 0.9), dvec2(0.97, 0.02), dvec2(0.0, 0.0), dvec2(0.5, 0.31)})
+    for (const dvec2 shift : {dvec2(1, 0), dvec2(0, -1), dvec2(-3, 2), dvec2(1024, -512)})
+      EXPECT_NEAR(albedoAt(bsdf, uv + shift).x, albedoAt(bsdf, uv).x, 1e-9) << uv.x << shift.x;
+  // At the left edge, between the first and the last column of the upper row's centre.
+  EXPECT_DOUBLE_EQ(albedoAt(bsdf, {0.0, 0.75}).x, 2.5);
+  // At the upper edge, between the first and the last row.
+  EXPECT_DOUBLE_EQ(albedoAt(bsdf, {0.125, 1.0}).x, 25.5);
+}
+
+TEST(ReferenceTexture, ScaleThenOffsetAndTheFactor) {
+  Diffuse bsdf = showing(floats(4, 1, {1, 2, 3, 4}));
+  bsdf.texture->scale = {2, 1};
+  bsdf.texture->offset = {0.125, 0};
+  bsdf.texture->colors[0] = dvec3(10, 1, 1);
+  EXPECT_EQ(albedoAt(bsdf, {0.125, 0.3}).x, 20.0);
+}
+
+TEST(ReferenceTexture, BytesAreDecodedBeforeTheyAreMixed) {
+  Bitmap bitmap(2, 1, {0, 128, 255});
+  bitmap.at(1, 0) = {255, 128, 255};
+  Diffuse bsdf = showing(std::make_shared<const Picture>(bitmap));
+  // The curve of IEC 61966-2-1 at 128 / 255.
+  expectNear(albedoAt(bsdf, {0.5, 0.5}), {0.5, 0.21586050011389926, 1.0}, 1e-12);
+  bsdf.texture->raw = true;
+  expectNear(albedoAt(bsdf, {0.5, 0.5}), {0.5, 128 / 255.0, 1.0}, 1e-12);
+}
+
+TEST(ReferenceTexture, ACheckerFollowsTheParityOfBothAxes) {
+  Diffuse bsdf;
+  bsdf.texture = Texture();
+  bsdf.texture->colors = {dvec3(1), dvec3(2)};
+  bsdf.texture->scale = {4, 2};
+  const auto at = [&](double u, double v) { return albedoAt(bsdf, {u, v}).x; };
+  EXPECT_EQ(at(0.1, 0.1), 1.0);
+  EXPECT_EQ(at(0.3, 0.1), 2.0);
+  EXPECT_EQ(at(0.3, 0.6), 1.0);
+  EXPECT_EQ(at(-0.1, 0.1), 2.0);
+  EXPECT_EQ(at(-0.1, -0.1), 1.0);
+  EXPECT_EQ(at(-0.3, -0.1), 2.0);
+}
+
+TEST(ReferenceTexture, ABackgroundTurnsAboutYAndFallsFromThePole) {
+  // Columns begin at -z and go over +x, +z and -x; two rows.
+  Environment sky;
+  sky.image = floats(4, 2, {1, 2, 3, 4, 10, 20, 30, 40});
+  const auto at = [&](dvec3 d) { return backgroundAt(sky, d).x; };
+  EXPECT_DOUBLE_EQ(at({1e-9, 1, -1e-9}), at({1, 1e9, -1}));
+  const double half = std::sqrt(2.0);  // 45 degrees up
+  EXPECT_NEAR(at({1, half, -1}), 1.0, 1e-12);
+  EXPECT_NEAR(at({1, half, 1}), 2.0, 1e-12);
+  EXPECT_NEAR(at({-1, half, 1}), 3.0, 1e-12);
+  EXPECT_NEAR(at({-1, half, -1}), 4.0, 1e-12);
+  EXPECT_NEAR(at({-1, -half, -1}), 40.0, 1e-12);
+  EXPECT_NEAR(at({0, 1, -1}), 2.5, 1e-12);  // the seam
+  EXPECT_NEAR(at({1e-12, 1, -1}), 2.5, 1e-9);
+  EXPECT_NEAR(at({-1e-12, 1, -1}), 2.5, 1e-9);
+  EXPECT_NEAR(at({1, 0, -1}), 5.5, 1e-12);  // the horizon
+  EXPECT_GE(at({0, 1, 0}), 1.0);
+  EXPECT_LE(at({0, 1, 0}), 4.0);
+  sky.radiance = dvec3(2.0);
+  // A quarter turn that takes +x to -z: the picture's +x is seen at the world's -z.
+  sky.toWorld = glm::dmat4(0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 5, 6, 7, 1);
+  EXPECT_NEAR(at({1, half, -1}), 2 * 2.0, 1e-12);
+}
+
+TEST(ReferenceTexture, CoordinatesOfTheFileOrTheWeights) {
+  Scene scene = test::litSquare();
+  Texture checker;
+  checker.colors = {dvec3(1), dvec3(0)};
+  checker.scale = {2, 2};
+  scene.meshes[0].bsdf.texture = checker;
+  const auto lit = [&](double x, double y) { return test::seenAt(scene, {x, y, 0}).x > 0; };
+  // Weights: u is 1 at the second corner of each triangle, v at the third.
+  EXPECT_TRUE(lit(-0.5, -1.9));  // u 0.35, v 0.025
+  EXPECT_FALSE(lit(1, -1.9));    // u 0.725, v 0.025
+  EXPECT_FALSE(lit(-1.5, -1));   // of the other triangle: u 0.125, v 0.75
+  scene.meshes[0].uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  EXPECT_TRUE(lit(-1.5, -1));
+  EXPECT_TRUE(lit(-1, -1));
+  EXPECT_FALSE(lit(1, -1));
+  EXPECT_TRUE(lit(1, 1));
+  EXPECT_FALSE(lit(-1, 1));
+}
+
+TEST(ReferenceTexture, MissesOfDirectWhittedAloneSeeTheBackground) {
+  Scene scene = test::litSquare();
+  scene.environment = Environment();
+  scene.environment->radiance = {1, 2, 3};
+  EXPECT_EQ(Reference(scene).radiance({0.5, 0.5}), dvec3(1, 2, 3));
+  for (const Integrator integrator : {Integrator::Normals, Integrator::Depth}) {
+    scene.integrator = integrator;
+    EXPECT_EQ(Reference(scene).radiance({0.5, 0.5}), dvec3(0));
+  }
+}
+
+}  // namespace
+}  // namespace laver

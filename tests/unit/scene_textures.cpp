@@ -1,0 +1,181 @@
+// Textures and backgrounds of scene files: every value in its place, and every fault with its own.
+#include "unit/picture_files.h"
+#include "unit/scene_files.h"
+
+namespace {
+using namespace laver;
+using namespace laver::scene_test;
+
+const char* const kUvTriangle =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n";
+
+class SceneTextures : public testing::Test {
+ protected:
+  void SetUp() override {
+    files_.write("t.obj", kUvTriangle);
+    files_.write("a.png", picture_test::png(1, 1, 8, PNG_COLOR_TYPE_RGB, {{10, 20, 30}}));
+  }
+  // A mesh whose bsdf holds some tags, for direct_whitted.
+  static std::string whitted(const std::string& insideBsdf, const std::string& after = "") {
+    return scene(mesh("<bsdf type=\"diffuse\">\n" + insideBsdf + "</bsdf>") + after,
+                 "direct_whitted");
+  }
+  static std::string picture(const std::string& name, const std::string& inside = "") {
+    return "<texture type=\"textmap\" name=\"albedo\"><string name=\"filename\" value=\"" + name +
+           "\"/>" + inside + "</texture>";
+  }
+  Files files_;
+};
+
+TEST_F(SceneTextures, ACheckerHasNorisDefaults) {
+  const auto loaded = files_.load(whitted("<texture type=\"checker\" name=\"albedo\"/>"));
+  EXPECT_TRUE(loaded.warnings.empty());
+  const auto& texture = loaded.scene.meshes.at(0).bsdf.texture;
+  ASSERT_TRUE(texture);
+  EXPECT_EQ(texture->kind, Texture::Kind::Checker);
+  EXPECT_EQ(texture->colors[0], glm::dvec3(0.9));
+  EXPECT_EQ(texture->colors[1], glm::dvec3(0.1));
+  EXPECT_EQ(texture->scale, glm::dvec2(1.0));
+  EXPECT_EQ(texture->offset, glm::dvec2(0.0));
+}
+
+TEST_F(SceneTextures, EveryValueReachesItsPlace) {
+  const auto s =
+      files_
+          .load(whitted(
+              "<texture type=\"checker\" name=\"albedo\"><color name=\"color1\" value=\"1 2 3\"/>"
+              "<color name=\"color2\" value=\"4 5 6\"/><integer name=\"scalex\" value=\"7\"/>"
+              "<float name=\"scaley\" value=\"8.5\"/><float name=\"offsetx\" value=\"-9\"/>"
+              "<float name=\"offsety\" value=\".5\"/></texture>",
+              mesh("<bsdf type=\"diffuse\">" +
+                   picture("a.png",
+                           "<boolean name=\"raw\" value=\"true\"/>"
+                           "<color name=\"color\" value=\".1 .2 .3\"/>"
+                           "<float name=\"scalex\" value=\"2\"/>") +
+                   "</bsdf>") +
+                  "<emitter type=\"envmap\"><string name=\"filename\" value=\"a.png\"/>"
+                  "<color name=\"radiance\" value=\"1 2 3\"/><float name=\"scale\" value=\"2\"/>"
+                  "<transform name=\"toWorld\"><rotate axis=\"0 1 0\" angle=\"90\"/></transform>"
+                  "</emitter>"))
+          .scene;
+  const Texture& checker = *s.meshes.at(0).bsdf.texture;
+  EXPECT_EQ(checker.colors[0], glm::dvec3(1, 2, 3));
+  EXPECT_EQ(checker.colors[1], glm::dvec3(4, 5, 6));
+  EXPECT_EQ(checker.scale, glm::dvec2(7, 8.5));
+  EXPECT_EQ(checker.offset, glm::dvec2(-9, 0.5));
+  const Texture& map = *s.meshes.at(1).bsdf.texture;
+  EXPECT_EQ(map.kind, Texture::Kind::Image);
+  EXPECT_TRUE(map.raw);
+  EXPECT_EQ(map.colors[0], glm::dvec3(0.1, 0.2, 0.3));
+  EXPECT_EQ(map.scale, glm::dvec2(2, 1));
+  ASSERT_TRUE(map.image);
+  EXPECT_EQ(std::get<Bitmap>(*map.image).pixels.at(0), (Rgb8{10, 20, 30}));
+  ASSERT_TRUE(s.environment);
+  EXPECT_EQ(s.environment->radiance, glm::dvec3(2, 4, 6));
+  EXPECT_FALSE(s.environment->raw);
+  EXPECT_NEAR(s.environment->toWorld[2][0], 1.0, 1e-15);
+  ASSERT_TRUE(s.environment->image);
+}
+
+TEST_F(SceneTextures, EveryNameOfATypeAndOneReadForAll) {
+  for (const char* type : {"textmap", "image_texture", "bitmap"}) {
+    const std::string bsdf = std::string("<bsdf type=\"diffuse\"><texture type=\"") + type +
+                             "\" name=\"albedo\"><string name=\"filename\" value=\"a.png\"/>"
+                             "</texture></bsdf>";
+    const auto loaded = files_.load(scene(mesh(bsdf) + mesh(bsdf), "direct_whitted"));
+    EXPECT_TRUE(loaded.warnings.empty());
+    EXPECT_EQ(loaded.scene.meshes[0].bsdf.texture->image,
+              loaded.scene.meshes[1].bsdf.texture->image);
+  }
+  for (const char* type : {"environment", "envmap", "constant"}) {
+    const auto s = files_
+                       .load(scene(std::string("<emitter type=\"") + type +
+                                       "\"><color name=\"radiance\" value=\"1 2 3\"/></emitter>",
+                                   "direct_whitted"))
+                       .scene;
+    ASSERT_TRUE(s.environment);
+    EXPECT_EQ(s.environment->radiance, glm::dvec3(1, 2, 3));
+    EXPECT_FALSE(s.environment->image);
+  }
+}
+
+TEST_F(SceneTextures, NoriCompatTakesBytesForLinear) {
+  SceneOverrides overrides;
+  overrides.noriCompat = true;
+  EXPECT_TRUE(files_.load(whitted(picture("a.png")), overrides).scene.meshes[0].bsdf.texture->raw);
+}
+
+TEST_F(SceneTextures, MissingAndBrokenFiles) {
+  files_.write("b.png", "\x89PNG\r\n\x1a\nrubbish");
+  files_.write("c.png", "text");
+  EXPECT_EQ(
+      files_.errors(whitted(picture("no.png"))),
+      "f.xml:3:2: error: picture \"no.png\" not found, expected it beside the scene or in the "
+      "working directory");
+  EXPECT_EQ(files_.errors(whitted(picture("b.png"))),
+            "f.xml:3:2: error: cannot read \"b.png\": it ends too early");
+  EXPECT_EQ(files_.errors(whitted(picture("a.png"),
+                                  "\n<emitter type=\"envmap\"><string name=\"filename\" "
+                                  "value=\"c.png\"/></emitter>")),
+            "f.xml:4:2: error: cannot read \"c.png\": it is neither PNG, JPEG nor OpenEXR");
+  EXPECT_EQ(files_.errors(whitted("<texture type=\"textmap\" name=\"albedo\"/>")),
+            "f.xml:3:2: error: texture \"textmap\" needs the property <string name=\"filename\">");
+}
+
+TEST_F(SceneTextures, WrongPlacesAndNames) {
+  EXPECT_EQ(files_.errors(whitted("<texture type=\"checker\" name=\"reflectance\"/>")),
+            "f.xml:3:2: error: <texture> stands for \"reflectance\" of bsdf \"diffuse\", expected "
+            "name=\"albedo\"");
+  EXPECT_EQ(
+      files_.errors(scene(mesh("\n<texture type=\"checker\" name=\"albedo\"/>"), "direct_whitted")),
+      "f.xml:3:2: error: <texture> stands in mesh \"obj\", expected it in <bsdf>");
+  EXPECT_EQ(files_.errors(scene(mesh("\n<emitter type=\"constant\"/>"), "direct_whitted")),
+            "f.xml:3:2: error: emitter \"constant\" stands in <mesh>, expected it in <scene>");
+  EXPECT_EQ(files_.errors(scene("<emitter type=\"constant\"/>\n<emitter type=\"environment\"/>",
+                                "direct_whitted")),
+            "f.xml:3:2: error: emitter \"environment\" is a second background, expected one");
+  EXPECT_EQ(files_.errors(scene("<emitter type=\"envmap\"/>", "direct_whitted")),
+            "f.xml:2:2: error: emitter \"envmap\" needs <string name=\"filename\"> or <color "
+            "name=\"radiance\">");
+}
+
+TEST_F(SceneTextures, WhatIsOddIsWarnedOf) {
+  EXPECT_EQ(files_.warnings(whitted("<color name=\"albedo\" value=\"1 1 1\"/>\n"
+                                    "<texture type=\"checker\" name=\"albedo\"/>\n"
+                                    "<texture type=\"checker\" name=\"albedo\"/>")),
+            "f.xml:4:2: warning: the property \"albedo\" is there twice: the texture counts\n"
+            "f.xml:5:2: warning: the property \"albedo\" is there twice: the texture counts\n"
+            "f.xml:5:2: warning: the property \"albedo\" is there twice: the last counts");
+  files_.write("t.obj", kTriangle);
+  EXPECT_EQ(files_.warnings(whitted("<texture type=\"checker\" name=\"albedo\"/>")),
+            "f.xml:3:2: warning: \"t.obj\" has no texture coordinates: each of its triangles shows "
+            "the texture from (0, 0) over (1, 0) to (0, 1)");
+  EXPECT_EQ(files_.warnings(scene("<emitter type=\"constant\"/>", "direct_whitted")),
+            "f.xml:2:2: warning: the background is seen where rays meet nothing and lights no "
+            "surface: integrator \"direct_whitted\" takes light from points only");
+}
+
+TEST_F(SceneTextures, NormalsAndDepthNeedNoPicture) {
+  for (const Integrator integrator : {Integrator::Normals, Integrator::Depth}) {
+    const auto loaded = files_.load(whitted(picture("no.png"),
+                                            "<emitter type=\"envmap\"><string "
+                                            "name=\"filename\" value=\"no.exr\"/></emitter>"),
+                                    with(integrator));
+    EXPECT_TRUE(loaded.warnings.empty());
+    EXPECT_FALSE(loaded.scene.meshes[0].bsdf.texture->image);
+  }
+}
+
+TEST_F(SceneTextures, TheDumpNamesThem) {
+  const std::string text =
+      describe(files_.load(whitted(picture("a.png"), "<emitter type=\"constant\"/>")).scene);
+  EXPECT_NE(text.find("albedo = Texture[name = \"a.png\", color = [1, 1, 1], scale = [1, 1], "
+                      "offset = [0, 0]]"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("  envEmitter = EnvironmentEmitter[\n    radiance = [1, 1, 1],"),
+            std::string::npos)
+      << text;
+}
+
+}  // namespace
