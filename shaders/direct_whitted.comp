@@ -34,7 +34,7 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
     const vec3 light = texelVec3(texelFetch(lightTexels, texel));
     const vec3 power = texelVec3(texelFetch(lightTexels, texel + 1));
     vec3 points[R];
-    bool live[R], seen[R];
+    bool lit[R], live[R], seen[R];
     float cosine[R], squared[R];
     FOR_RAYS (uint r = 0u; r < R; ++r) {
       const Surface s = surfaces[r];
@@ -42,15 +42,16 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
       squared[r] = dotProduct(toLight, toLight);
       const float along = dotProduct(s.normal, toLight);
       // Nearer than 2^-50 of the scene, far below the rounding of positions, is on the surface.
-      live[r] = hits.slot[r] != NO_HIT && along > 0.0 && squared[r] > 7.8886091e-31 &&
-                dotProduct(s.normal, rays.direction[r]) < 0.0;
+      lit[r] = hits.slot[r] != NO_HIT && along > 0.0 && squared[r] > 7.8886091e-31 &&
+               dotProduct(s.normal, rays.direction[r]) < 0.0;
+      live[r] = DARK_SIDES ? hits.slot[r] != NO_HIT : lit[r];
       cosine[r] = along / sqrt(squared[r]);
       points[r] = beside(s, toLight);
     }
     visible(light, points, live, seen);
     FOR_RAYS (uint r = 0u; r < R; ++r) {
       const vec3 irradiance = power / squared[r] * cosine[r];
-      if (seen[r]) radiance[r] += irradiance * ALBEDO(r) * 0.31830989;
+      if (seen[r] && (lit[r] || !DARK_SIDES)) radiance[r] += irradiance * ALBEDO(r) * 0.31830989;
     }
   }
 }

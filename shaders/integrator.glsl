@@ -89,7 +89,12 @@ void main() {
       radiance[r] = texelFetch(sampleTexels, slot[r]).rgb;
   }
 
-  const Hits hits = closest(rays);
+  Hits hits;
+  if (HAS_HITS) {
+    hits = closest(rays);
+  } else {
+    FOR_RAYS (uint r = 0u; r < R; ++r) hits.slot[r] = NO_HIT;
+  }
   integrate(rays, hits, radiance);
 
   const bool last = LIGHTS != LIGHTS_MANY || pass.lights.w != 0u;

@@ -8,7 +8,7 @@ layout(constant_id = SPEC_NORMALS) const bool HAS_NORMALS = true;
 layout(constant_id = SPEC_ALBEDOS) const bool HAS_ALBEDOS = true;
 layout(constant_id = SPEC_LIGHTS) const uint LIGHTS = LIGHTS_MANY;
 layout(constant_id = SPEC_JUMP_LEVELS) const uint JUMP_LEVELS = 3;
-layout(constant_id = SPEC_FILTER) const uint FILTER = FILTER_GAUSSIAN;
+layout(constant_id = SPEC_FILTER) const uint KNOWN_FILTER = FILTER_GAUSSIAN;
 layout(constant_id = SPEC_APRON) const uint APRON = 2;
 layout(constant_id = SPEC_NORI_TABLE) const bool NORI_TABLE = false;
 layout(constant_id = SPEC_SAMPLER) const uint SAMPLER = SAMPLER_INDEPENDENT;
@@ -18,10 +18,14 @@ layout(constant_id = SPEC_ADAPTIVE) const bool ADAPTIVE = false;
 layout(constant_id = SPEC_TEXTURES) const uint TEXTURES = 3;
 layout(constant_id = SPEC_IMAGES) const uint IMAGES = 3;
 layout(constant_id = SPEC_BACKGROUND) const uint BACKGROUND = BACKGROUND_IMAGE;
+layout(constant_id = SPEC_HITS) const bool HAS_HITS = true;
+layout(constant_id = SPEC_DARK_SIDES) const bool DARK_SIDES = false;
 
 const uint REACH = 2u * APRON + 1u;  // pixels on an axis that one sample reaches
 
 layout(std140, binding = BIND_PARAMS) uniform ParamsBlock { Params params; };
+#define FILTER \
+  (KNOWN_FILTER == FILTER_AT_RUN_TIME ? uint(params.filterArgs.w) : KNOWN_FILTER)
 layout(push_constant) uniform PassBlock { Pass pass; };
 
 // uvec4 texels: floats keep their bits, denormals and NaN patterns included.

@@ -43,10 +43,10 @@ Surface surfaceAt(vec3 origin, vec3 direction, uint slot) {
   s.id = first.w;
   if (HAS_NORMALS || HAS_ALBEDOS) {
     const uvec4 attributes = texelFetch(attributeTexels, int(slot));
-    s.material = attributes.w;
+    s.material = attributes.x;
     if (HAS_NORMALS) {
-      const bool smoothed = attributes.x != NO_NORMAL;
-      const ivec3 index = ivec3(smoothed ? attributes.xyz : uvec3(0u));
+      const bool smoothed = attributes.y != NO_NORMAL;
+      const ivec3 index = ivec3(attributes.yzw);
       const vec3 na = texelVec3(texelFetch(normalTexels, index.x));
       const vec3 nb = texelVec3(texelFetch(normalTexels, index.y));
       const vec3 nc = texelVec3(texelFetch(normalTexels, index.z));

@@ -46,13 +46,21 @@ double logSlope(std::span<const Place> places) {
 double LogAxis::at(double value) const { return std::log(value / low) / std::log(high / low); }
 
 std::vector<double> LogAxis::ticks() const {
+  const std::vector<double> mantissas[] = {
+      {1},
+      {1, 2, 5},
+      {1, 2, 3, 4, 5, 6, 7, 8, 9},
+      {1, 1.2, 1.4, 1.6, 1.8, 2, 2.5, 3, 3.5, 4, 4.5, 5, 6, 7, 8, 9}};
   std::vector<double> all;
-  const bool fine = high / low < 200.0;
-  for (int e = static_cast<int>(std::floor(std::log10(low))); std::pow(10.0, e) <= high; ++e)
-    for (const double mantissa : {1.0, 2.0, 5.0}) {
-      const double value = mantissa * std::pow(10.0, e);
-      if ((fine || mantissa == 1.0) && value >= low && value <= high) all.push_back(value);
-    }
+  for (const std::vector<double>& each : mantissas) {
+    all.clear();
+    for (int e = static_cast<int>(std::floor(std::log10(low))); std::pow(10.0, e) <= high; ++e)
+      for (const double mantissa : each) {
+        const double value = mantissa * std::pow(10.0, e);
+        if (value >= low && value <= high) all.push_back(value);
+      }
+    if (all.size() >= 3 && (each.size() > 1 || high / low >= 200.0)) break;
+  }
   return all;
 }
 

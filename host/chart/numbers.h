@@ -26,7 +26,7 @@ struct LogAxis {
   double low = 1, high = 10;
   /// Where `value` lies, 0 to 1 on the axis.
   double at(double value) const;
-  /// 1, 2 and 5 of each decade on a short axis, else powers of ten.
+  /// Powers of ten, on a short axis 1, 2 and 5 of each, on a shorter one more.
   std::vector<double> ticks() const;
 };
 

@@ -12,13 +12,17 @@
 
 namespace laver {
 
-/// `laver SCENE.xml`.
-struct RenderCommand {
+/// A scene and how it is to be rendered.
+struct SceneCommand {
   std::string scene;
-  std::string output;  ///< EXR; empty: beside the scene
   SceneOverrides overrides;
   RenderOptions options;
   VulkanOptions vulkan;
+};
+
+/// `laver SCENE.xml`.
+struct RenderCommand : SceneCommand {
+  std::string output;  ///< EXR; empty: beside the scene
   bool reference = false;
   bool resume = false;  ///< keep the sums and go on from those that are there
   bool stats = false;
@@ -26,6 +30,11 @@ struct RenderCommand {
   bool quiet = false;
   bool gui = false;                            ///< show the picture in a window
   std::optional<ViewerAddress> displayServer;  ///< of a viewer that shows the picture grow
+};
+
+/// `laver plan SCENE.xml`.
+struct PlanCommand : SceneCommand {
+  bool json = false;
 };
 
 /// `laver compare A.exr B.exr`, or `laver compare --explain SCENE.xml`.
@@ -66,9 +75,17 @@ ExitCode run(const CompareCommand& command);
 /// Throws Error(Device) where there can be no window.
 ExitCode run(const ViewCommand& command);
 ExitCode run(const ChartCommand& command);
+ExitCode run(const PlanCommand& command);
 /// `laver devices`.
 ExitCode runDevices();
 /// `laver schema`.
 ExitCode runSchema(bool json);
+
+/// What a command changes in its scene. What is rendered beside the scene's picture asks for
+/// materials and lights too.
+SceneOverrides overridesOf(const SceneCommand& command);
+
+/// Throws Error(Usage) where a scene cannot be rendered with such options.
+void checkOptions(const SceneCommand& command, const Scene& scene);
 
 }  // namespace laver

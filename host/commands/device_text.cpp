@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "render/renderer.h"
+#include "render/traversal.h"
 
 namespace laver {
 namespace {

@@ -21,7 +21,6 @@
 #include "image/atomic_file.h"
 #include "image/io.h"
 #include "reference/reference.h"
-#include "scene/schema.h"
 
 namespace laver {
 namespace {
@@ -40,16 +39,7 @@ std::string timeText(double seconds) {
   return fmt::format("{:.1f}h", seconds / 3600.0);
 }
 
-void checkCrop(const std::optional<Crop>& crop, const Camera& camera) {
-  if (!crop) return;
-  if (crop->x0 < 0 || crop->y0 < 0 || crop->x1 > camera.width || crop->y1 > camera.height ||
-      crop->x0 >= crop->x1 || crop->y0 >= crop->y1)
-    throw Error(ExitCode::Usage,
-                fmt::format("--crop {},{},{},{}: expected 0 <= x0 < x1 <= {}, 0 <= y0 < y1 <= {}",
-                            crop->x0, crop->y0, crop->x1, crop->y1, camera.width, camera.height));
-}
-
-void checkError(const RenderCommand& command, const Sampler& sampler) {
+void checkError(const RenderCommand& command) {
   if (command.options.error == 0.0) return;
   if (command.reference)
     throw Error(ExitCode::Usage, "--error: the reference takes as many samples as the scene says");
@@ -57,11 +47,6 @@ void checkError(const RenderCommand& command, const Sampler& sampler) {
     throw Error(ExitCode::Usage,
                 "--error: an adaptive render begins anew; --resume goes on only "
                 "where every pixel gets as many samples");
-  if (mostOf(sampler) == 0)
-    throw Error(ExitCode::Usage,
-                fmt::format("--error: {} samples a pixel are too few to choose from; --spp {} is "
-                            "the least",
-                            sampler.sampleCount, shared::CELL_STEP));
 }
 
 /// Channels beside the picture's own three.
@@ -70,14 +55,6 @@ std::size_t layerChannels(const RenderOptions& options) {
   for (const Shown& shown : shownBeside(options.more, options.layers))
     count += shown.channels.size();
   return count + (asks(options.layers, Layer::Samples) ? 1 : 0);
-}
-
-/// What is rendered beside the scene's picture asks for materials and lights too.
-SceneOverrides overridesOf(const RenderCommand& command) {
-  SceneOverrides overrides = command.overrides;
-  for (const Shown& shown : shownBeside(command.options.more, command.options.layers))
-    overrides.shading = overrides.shading || xml::shades(shown.integrator);
-  return overrides;
 }
 
 void warnOfMissingUvs(const RenderOptions& options, const Scene& scene) {
@@ -206,8 +183,8 @@ ExitCode run(const RenderCommand& command, ViewedPictures* viewed) {
   const Scene& scene = loaded.scene;
   for (const auto& warning : loaded.warnings) std::cerr << warning << '\n';
   warnOfMissingUvs(command.options, scene);
-  checkCrop(command.options.crop, scene.camera);
-  checkError(command, scene.sampler);
+  checkOptions(command, scene);
+  checkError(command);
   checkMemory(command, scene.camera);
   const auto wanted = outputOf(command);
   const auto stateFile = statePath(wanted);

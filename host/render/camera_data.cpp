@@ -68,7 +68,7 @@ void packCamera(const Scene& scene, SceneData& data) {
 void packFilter(const Filter& f, SceneData& data) {
   const double alpha = -1.0 / (2.0 * f.stddev * f.stddev);
   vec4& args = data.params.filterArgs;
-  args = vec4(static_cast<float>(f.radius), 0.0F, 0.0F, 0.0F);
+  args = vec4(static_cast<float>(f.radius), 0.0F, 0.0F, static_cast<float>(filterConstant(f)));
   if (f.kind == Filter::Kind::Gaussian) {
     args.y = static_cast<float>(alpha);
     args.z = static_cast<float>(std::exp(alpha * f.radius * f.radius));

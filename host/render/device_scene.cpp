@@ -3,6 +3,8 @@
 #include <array>
 #include <bit>
 
+#include "render/attribute_form.h"
+
 namespace laver {
 namespace {
 
@@ -38,7 +40,8 @@ DeviceScene::DeviceScene(const Device& device, const SceneData& data, const Rend
   // A packet's lanes read a leaf's triangles and what follows, which must not be met.
   uploadTexels(shared::BIND_TRIANGLES, "triangles", data.bvh.triangles,
                (shared::MAX_LEAF - 1) * sizeof(shared::Triangle));
-  uploadTexels(shared::BIND_ATTRIBUTES, "attributes", data.attributes);
+  uploadTexels(shared::BIND_ATTRIBUTES, "attributes", attributeBytes(data), 0,
+               attributeFormat(data.constants));
   uploadTexels(shared::BIND_NORMALS, "normals", data.normals);
   uploadTexels(shared::BIND_MATERIALS, "materials", data.materials);
   uploadTexels(shared::BIND_LIGHTS, "lights", data.lights);
@@ -101,9 +104,8 @@ void DeviceScene::bindTexels(std::uint32_t binding, const Buffer& buffer, VkForm
 template <class T, class A>
 void DeviceScene::uploadTexels(std::uint32_t binding, const char* what,
                                const std::vector<T, A>& data, VkDeviceSize zeros, VkFormat format) {
-  const VkDeviceSize texel = format == kTexels ? 16 : sizeof(T);
-  static_assert(sizeof(T) % 16 == 0 || sizeof(T) == 8 || sizeof(T) == 4);
   // A kernel that does not read the binding still needs something bound there.
+  const VkDeviceSize texel = texelBytes(format);
   const VkDeviceSize bytes = std::max<VkDeviceSize>(data.size() * sizeof(T) + zeros, 3 * texel);
   Buffer buffer(device_, what, Buffer::Use::Texels, notPowerOfTwo(bytes, texel));
   if (zeros != 0) buffer.fillZero(data.size() * sizeof(T));

@@ -3,7 +3,7 @@
 #include <future>
 
 #include "render/device_scene.h"
-#include "render/renderer.h"
+#include "render/traversal.h"
 
 namespace laver {
 

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "render/sample_map.h"
+#include "render/traversal.h"
+
 namespace laver {
 
 namespace {
@@ -97,6 +100,23 @@ RenderPlan planRender(const VkPhysicalDeviceLimits& limits, Crop core, int width
           static_cast<std::uint64_t>(core.x1 - core.x0) * rows,
           gatherRows,
           sideBySide};
+}
+
+RenderPlan planRender(const VkPhysicalDeviceLimits& limits, const Scene& scene,
+                      const RenderOptions& options, std::uint32_t apron, std::uint64_t maxSlots) {
+  const Camera& camera = scene.camera;
+  std::uint64_t triangles = 0;
+  for (const Mesh& mesh : scene.meshes) triangles += mesh.triangles.size();
+  Crop planned = coreOf(scene, options);
+  if (options.error != 0.0)
+    planned = pilotArea(cropOf(regionOf(planned, apron, camera.width, camera.height)), camera.width,
+                        camera.height);
+  return planRender(limits, planned, camera.width, camera.height, apron, scene.sampler.sampleCount,
+                    maxSlots, sideBySide(triangles, camera));
+}
+
+Crop coreOf(const Scene& scene, const RenderOptions& options) {
+  return options.crop.value_or(Crop{0, 0, scene.camera.width, scene.camera.height});
 }
 
 }  // namespace laver

@@ -11,19 +11,13 @@
 
 namespace laver {
 
-struct DeviceInfo;
-
-/// The faster traversal that the device can run: "packet" where subgroups have 8 lanes that
-/// shuffle, else "lane". A scene too dense for packets goes by lane all the same.
-std::string bestTraversal(const DeviceInfo& device);
-
 /// Choices of the Vulkan renderer.
 struct VulkanOptions {
   std::string device;                 ///< as choosePhysicalDevice takes it
   bool validate = false;              ///< every validation message is an error
   std::string traversal;              ///< "lane" or "packet"; empty: packet where the device can
   std::uint64_t samplesInFlight = 0;  ///< for tests: 0 is the renderer's own choice
-  bool generic = false;               ///< for tests: kernels not specialised to the scene
+  std::uint32_t generic = 0;          ///< for tests: constants that generalise() makes generic
 };
 
 /// Renders on a Vulkan device, which starts on a thread of its own, beside the loading of a scene.

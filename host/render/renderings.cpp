@@ -62,10 +62,10 @@ std::string kernelOf(Integrator shown, const SpecConstants& constants) {
 }  // namespace
 
 std::vector<Rendering> renderingsOf(const Scene& scene, const RenderOptions& options,
-                                    bool generic) {
+                                    std::uint32_t generic) {
   std::vector<Rendering> pictures;
   const auto add = [&](Integrator shown, std::vector<std::string> channels) {
-    const SpecConstants constants = specialise(scene, shown, options, generic);
+    const SpecConstants constants = generalise(specialise(scene, shown, options), generic);
     pictures.push_back({kernelOf(shown, constants), std::move(channels), constants});
   };
   add(scene.integrator, {"R", "G", "B"});

@@ -17,8 +17,10 @@ struct Rendering {
   bool centres = false;  ///< not samples, but the ray through each pixel's centre
 };
 
-/// The scene's own picture first, then what the options ask for beside it.
-std::vector<Rendering> renderingsOf(const Scene& scene, const RenderOptions& options, bool generic);
+/// The scene's own picture first, then what the options ask for beside it. `generic` is as
+/// generalise() takes it.
+std::vector<Rendering> renderingsOf(const Scene& scene, const RenderOptions& options,
+                                    std::uint32_t generic = 0);
 
 /// Constants of the scene's data that serve the kernels of all.
 SpecConstants constantsOfAll(std::span<const Rendering> pictures);

@@ -26,8 +26,9 @@ class MeshPacker {
       : scene_(scene), data_(data), textures_(textures) {}
 
   std::vector<shared::Triangle> pack() {
+    if (data_.constants[shared::SPEC_HITS] == 0) return {};
+    if (hasNormals_) data_.normals.emplace_back(0.0F);  // NO_NORMAL's place
     for (const Mesh& mesh : scene_.meshes) add(mesh);
-    if (hasNormals_ && data_.normals.empty()) data_.normals.emplace_back(0.0F);
     return std::move(triangles_);
   }
 
@@ -58,7 +59,7 @@ class MeshPacker {
                           vec3(0.0F), shared::IS_SPHERE});
     if (hasNormals_ || hasAlbedos_)
       data_.attributes.push_back(
-          {shared::NO_NORMAL, shared::NO_NORMAL, shared::NO_NORMAL, material});
+          {material, shared::NO_NORMAL, shared::NO_NORMAL, shared::NO_NORMAL});
   }
 
   void add(const Mesh& mesh) {
@@ -86,7 +87,7 @@ class MeshPacker {
       triangles_.push_back({a, id, b, 0, c, flipped});
       if (!hasNormals_ && !hasAlbedos_) continue;
       const glm::uvec3 n = smooth ? t + firstNormal : glm::uvec3(shared::NO_NORMAL);
-      data_.attributes.push_back({n.x, n.y, n.z, material});
+      data_.attributes.push_back({material, n.x, n.y, n.z});
     }
   }
 

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 
+#include "render/attribute_form.h"
+#include "vulkan/buffer.h"
+
 namespace laver {
 
 void Stats::describe(const SceneData& data) {
@@ -16,7 +19,7 @@ void Stats::describe(const SceneData& data) {
   sahCost = data.bvh.sahCost;
   nodeBytes = nodes * sizeof(shared::Node);
   triangleBytes = data.bvh.triangles.size() * sizeof(shared::Triangle);
-  attributeBytes = data.attributes.size() * sizeof(shared::Attributes) +
+  attributeBytes = data.attributes.size() * texelBytes(attributeFormat(data.constants)) +
                    data.normals.size() * sizeof(glm::vec4) +
                    data.materials.size() * sizeof(shared::Material) +
                    data.textures.size() * sizeof(shared::Texture);
@@ -24,13 +27,14 @@ void Stats::describe(const SceneData& data) {
   uvBytes = data.uvs.size() * sizeof(data.uvs[0]);
   seconds.build = data.buildSeconds;
   const SpecConstants& c = data.constants;
+  if (c[shared::SPEC_HITS] == 0) leftOut.emplace_back("camera rays and the tree: no light");
   if (c[shared::SPEC_NORMALS] == 0) leftOut.emplace_back("vertex normals: none needed");
   if (c[shared::SPEC_ALBEDOS] == 0) leftOut.emplace_back("materials: one albedo or none needed");
   if (c[shared::SPEC_LIGHTS] == 0) leftOut.emplace_back("shadow rays: no light needed");
   if (c[shared::SPEC_TEXTURES] == 0) leftOut.emplace_back("textures: none needed");
   if (c[shared::SPEC_BACKGROUND] == shared::BACKGROUND_BLACK)
     leftOut.emplace_back("background: none needed");
-  if (c[shared::SPEC_SPHERES] == 0) leftOut.emplace_back("spheres: there are none");
+  if (c[shared::SPEC_SPHERES] == 0) leftOut.emplace_back("spheres: none needed");
   if (c[shared::SPEC_JUMP_LEVELS] < 3)
     leftOut.push_back(fmt::format("sampler tables: {} of 3 needed", c[shared::SPEC_JUMP_LEVELS]));
 }

@@ -87,8 +87,7 @@ shared::Picture TexturePacker::add(const Picture& picture, bool raw) {
           static_cast<std::uint32_t>(heightOf(picture)), table};
 }
 
-void specialiseTextures(const Scene& scene, Integrator shown, bool generic,
-                        SpecConstants& constants) {
+void specialiseTextures(const Scene& scene, Integrator shown, SpecConstants& constants) {
   std::uint32_t textures = 0, images = 0, background = shared::BACKGROUND_BLACK;
   const bool lit = shown == Integrator::DirectWhitted && !scene.lights.empty();
   if (lit || shown == Integrator::Albedo)
@@ -104,10 +103,9 @@ void specialiseTextures(const Scene& scene, Integrator shown, bool generic,
     background = sky->image ? shared::BACKGROUND_IMAGE : shared::BACKGROUND_CONSTANT;
     images |= imagesOf(sky->image);
   }
-  constants[shared::SPEC_TEXTURES] =
-      generic ? shared::TEXTURES_CHECKER | shared::TEXTURES_IMAGE : textures;
-  constants[shared::SPEC_IMAGES] = generic ? shared::IMAGES_BYTES | shared::IMAGES_FLOATS : images;
-  constants[shared::SPEC_BACKGROUND] = generic ? shared::BACKGROUND_IMAGE : background;
+  constants[shared::SPEC_TEXTURES] = textures;
+  constants[shared::SPEC_IMAGES] = images;
+  constants[shared::SPEC_BACKGROUND] = background;
 }
 
 }  // namespace laver

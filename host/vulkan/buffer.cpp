@@ -139,11 +139,26 @@ void Buffer::fillZero(VkDeviceSize from) const {
       [&](VkCommandBuffer commands) { vkCmdFillBuffer(commands, get(), from, VK_WHOLE_SIZE, 0); });
 }
 
+VkDeviceSize texelBytes(VkFormat format) {
+  switch (format) {
+    case VK_FORMAT_R8_UINT:
+      return 1;
+    case VK_FORMAT_R16_UINT:
+      return 2;
+    case VK_FORMAT_R32_UINT:
+    case VK_FORMAT_R32_SFLOAT:
+    case VK_FORMAT_R8G8B8A8_UINT:
+      return 4;
+    case VK_FORMAT_R16G16B16A16_UINT:
+    case VK_FORMAT_R32G32_UINT:
+      return 8;
+    default:
+      return 16;
+  }
+}
+
 Handle<VkBufferView> Buffer::texelView(VkFormat format) const {
-  const VkDeviceSize texel = format == VK_FORMAT_R32_SFLOAT || format == VK_FORMAT_R32_UINT ? 4
-                             : format == VK_FORMAT_R32G32_UINT                              ? 8
-                                                                                            : 16;
-  Device::requireLimit("maxTexelBufferElements", bytes_ / texel,
+  Device::requireLimit("maxTexelBufferElements", bytes_ / texelBytes(format),
                        device_->limits().maxTexelBufferElements);
   VkBufferViewCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO};
   info.buffer = get();

@@ -7,6 +7,9 @@
 
 namespace laver {
 
+/// Bytes of a texel of the formats that laver uses.
+VkDeviceSize texelBytes(VkFormat format);
+
 /// A buffer with memory of its own on the device; where the host can see that memory, transfers
 /// are plain copies, elsewhere they go through a staging buffer.
 class Buffer {

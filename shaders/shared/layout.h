@@ -10,7 +10,7 @@ LAVER_SHARED_BEGIN
 LAVER_CONST uint BIND_PARAMS = 0;      // U Params
 LAVER_CONST uint BIND_NODES = 1;       // T Node
 LAVER_CONST uint BIND_TRIANGLES = 2;   // T Triangle
-LAVER_CONST uint BIND_ATTRIBUTES = 3;  // T Attributes, one a triangle
+LAVER_CONST uint BIND_ATTRIBUTES = 3;  // T Attributes, or their smaller form, one a triangle
 LAVER_CONST uint BIND_NORMALS = 4;     // T vec4, one a vertex normal
 LAVER_CONST uint BIND_MATERIALS = 5;   // T Material
 LAVER_CONST uint BIND_LIGHTS = 6;      // T Light
@@ -42,14 +42,18 @@ LAVER_CONST uint SPEC_ADAPTIVE = 9;      // cells have sample counts of their ow
 LAVER_CONST uint SPEC_TEXTURES = 10;     // TEXTURES_* that some mesh shows
 LAVER_CONST uint SPEC_IMAGES = 11;       // IMAGES_* that a texture or the background has
 LAVER_CONST uint SPEC_BACKGROUND = 12;   // BACKGROUND_*
-LAVER_CONST uint SPEC_SPHERES = 13;      // some mesh is a sphere; names the kernel
-LAVER_CONST uint SPEC_CONSTANTS = 14;
+LAVER_CONST uint SPEC_HITS = 13;         // what rays hit or miss shows; else none is traced
+LAVER_CONST uint SPEC_DARK_SIDES = 14;   // shadow rays even where n.l <= 0: never needed
+LAVER_CONST uint SPEC_INDEX_BYTES = 15;  // of an index in Attributes: 1, 2 or 4; the host's alone
+LAVER_CONST uint SPEC_SPHERES = 16;      // some mesh is a sphere; names the kernel
+LAVER_CONST uint SPEC_CONSTANTS = 17;
 
 LAVER_CONST uint FILTER_GAUSSIAN = 0;
 LAVER_CONST uint FILTER_MITCHELL = 1;
 LAVER_CONST uint FILTER_TENT = 2;
 LAVER_CONST uint FILTER_BOX = 3;
 LAVER_CONST uint FILTER_GAUSSIAN_NARROW = 4;  // whose weights filter.glsl makes by products
+LAVER_CONST uint FILTER_AT_RUN_TIME = 5;      // the one in params.filterArgs.w
 
 LAVER_CONST uint SAMPLER_INDEPENDENT = 0;
 LAVER_CONST uint SAMPLER_STRATIFIED = 1;
@@ -121,11 +125,12 @@ struct Triangle {
   uint flipped;  // 1 if sorting turned the winding
 };
 
-// Normal indices are NO_NORMAL for a mesh without vertex normals. 1 texel.
-LAVER_CONST uint NO_NORMAL = 0xffffffffu;
+// Normal indices are NO_NORMAL for a mesh without vertex normals; no vertex has that one. 1 texel
+// of four numbers, or of one, the material, where no kernel of the scene reads normals.
+LAVER_CONST uint NO_NORMAL = 0;
 struct Attributes {
+  uint material;  // first: there in both forms
   uint normalA, normalB, normalC;
-  uint material;
 };
 
 struct Material {
@@ -203,7 +208,7 @@ struct Params {
   // independent: first texel of the tables by sample (low, high part), samples of the low part;
   // stratified: strata along y, size of a stratum along x and y in 2^-32 pixels
   uvec4 samplerArgs;
-  vec4 filterArgs; // radius and three numbers that filter.glsl explains
+  vec4 filterArgs; // radius, two numbers that filter.glsl explains, FILTER_*
   vec4 table[9];   // Nori's table, 33 entries, or for FILTER_GAUSSIAN_NARROW exp(alpha k^2)
   vec4 background[3];  // rows of the matrix from the world to the picture's space; w: radiance
   Picture backgroundPicture;

@@ -66,7 +66,7 @@ TEST(Adaptive, SameBitsForThreadsBandsPassesTraversalsAndKernels) {
     expectSame(whole, renderTo(scene, adaptive(), vulkan));
   }
   VulkanOptions generic = cpuDevice();
-  generic.generic = true;
+  generic.generic = kAllConstants;
   expectSame(whole, renderTo(scene, adaptive(), generic));
 }
 

@@ -5,6 +5,7 @@
 #include "render/command_line.h"
 #include "render/explain.h"
 #include "render/harness.h"
+#include "render/specialise.h"
 
 namespace laver::test {
 namespace {
@@ -182,7 +183,7 @@ TEST(Layers, AreTheSameHoweverTheyAreMade) {
   VulkanOptions lane = cpuDevice(), pieces = cpuDevice(), generic = cpuDevice();
   lane.traversal = "lane";
   pieces.samplesInFlight = 131 * 7 * 5;
-  generic.generic = true;
+  generic.generic = kAllConstants;
   EXPECT_EQ(differingFloats(whole, render(scene, lane, options)), 0U);
   EXPECT_EQ(differingFloats(whole, render(scene, pieces, options)), 0U);
   EXPECT_EQ(differingFloats(whole, render(scene, generic, options)), 0U);

@@ -61,7 +61,7 @@ TEST(SameBits, ACropIsCutOutOfTheFullPicture) {
 
 TEST(SameBits, KernelsSpecialisedToTheSceneOrNot) {
   VulkanOptions generic = cpuDevice();
-  generic.generic = true;
+  generic.generic = kAllConstants;
   for (const char* name :
        {"bunny-normals.xml", "bunny-whitted.xml", "bunny-depth.xml", "cornell-two-lights.xml",
         "curved-normals.xml", "mirrored-instances.xml", "textured.xml"}) {

@@ -5,6 +5,7 @@
 #include "explain/explain.h"
 #include "render/explain.h"
 #include "render/harness.h"
+#include "render/specialise.h"
 #include "render/texture_data.h"
 #include "unit/reference_scenes.h"
 
@@ -115,7 +116,7 @@ TEST(Textures, ManyLightsAddTheBackgroundOnce) {
 
 TEST(Textures, KernelsSpecialisedOrNotGiveTheSameBits) {
   VulkanOptions generic = cpuDevice();
-  generic.generic = true;
+  generic.generic = kAllConstants;
   for (const bool floats : {false, true}) {
     Scene scene = sheet(showing(noise(8, 8, floats)));
     EXPECT_EQ(differingFloats(render(scene), render(scene, generic)), 0U);

@@ -7,6 +7,7 @@
 
 #include "core/parallel.h"
 #include "render/renderer.h"
+#include "render/traversal.h"
 
 namespace laver::stability {
 namespace {

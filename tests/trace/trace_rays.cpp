@@ -5,6 +5,7 @@
 #include "reference/tree.h"
 #include "render/harness.h"
 #include "render/scene_data.h"
+#include "render/traversal.h"
 #include "trace/ray_tracer.h"
 
 namespace laver::test {

@@ -46,6 +46,9 @@ TEST(ChartNumbers, AxesHoldTheirValuesAndHaveTicks) {
   EXPECT_NEAR(axis.at(std::sqrt(axis.low * axis.high)), 0.5, 1e-12);
   EXPECT_EQ(axis.ticks(), (std::vector<double>{0.1, 1.0, 10.0}));
   EXPECT_EQ((LogAxis{0.9, 11.0}.ticks()), (std::vector<double>{1.0, 2.0, 5.0, 10.0}));
+  EXPECT_EQ((LogAxis{1.7, 4.2}.ticks()), (std::vector<double>{2.0, 3.0, 4.0}));
+  EXPECT_EQ((LogAxis{1.1, 1.7}.ticks()), (std::vector<double>{1.2, 1.4, 1.6}));
+  EXPECT_EQ((LogAxis{6.1, 9.6}.ticks()), (std::vector<double>{7.0, 8.0, 9.0}));
   EXPECT_LT(axisAround({}).low, axisAround({}).high);
 }
 

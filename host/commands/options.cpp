@@ -1,0 +1,205 @@
+#include "commands/options.h"
+
+#include <algorithm>
+#include <cctype>
+#include <exception>
+#include <sstream>
+
+namespace laver {
+namespace {
+
+/// Exactly the integers in `text`, divided by `separator`, or a CLI error that says what was
+/// expected.
+std::vector<int> integers(const std::string& option, const std::string& text, char separator,
+                          std::size_t count, const char* expected) {
+  std::vector<int> values;
+  std::istringstream in(text + separator);
+  for (std::string part; std::getline(in, part, separator);) {
+    int value = 0;
+    std::size_t used = 0;
+    try {
+      value = std::stoi(part, &used);
+    } catch (const std::exception&) {
+    }
+    if (part.empty() || used != part.size() || std::isspace(static_cast<unsigned char>(part[0])))
+      values.resize(count + 1);
+    values.push_back(value);
+  }
+  if (values.size() != count)
+    throw CLI::ValidationError(option, "expected " + std::string(expected) + ", not " + text);
+  return values;
+}
+
+/// What the names in `text`, with commas between, stand for; each once.
+template <class T>
+std::vector<T> named(const std::string& option, const std::string& text,
+                     std::optional<T> (*find)(const std::string&), const std::string& expected) {
+  std::vector<T> all;
+  std::istringstream in(text + ',');
+  for (std::string name; std::getline(in, name, ',');) {
+    const std::optional<T> one = find(name);
+    if (!one) throw CLI::ValidationError(option, "expected " + expected + ", not \"" + name + '"');
+    if (std::find(all.begin(), all.end(), *one) != all.end())
+      throw CLI::ValidationError(option, name + " is named twice");
+    all.push_back(*one);
+  }
+  return all;
+}
+
+std::string layerList() {
+  std::string list;
+  for (const char* name : layerNames()) list += std::string(list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+/// The options that change how a scene is rendered.
+void addSceneOptions(CLI::App& app, SceneCommand& command) {
+  app.add_option("--spp", command.overrides.sampleCount, "samples a pixel")
+      ->check(CLI::Range(1U, 1U << 20));
+  app.add_option("--error", command.options.error,
+                 "adaptive sampling: stop where a pixel's standard error, 1 being white, is below "
+                 "E; --spp is the most a pixel gets")
+      ->type_name("E")
+      ->check(CLI::PositiveNumber & CLI::Range(0.0, 1e6));
+  app.add_option("--seed", command.overrides.seed, "seed of the sampler");
+  app.add_option_function<std::string>(
+         "--integrator",
+         [&](const std::string& text) {
+           const auto all = named("--integrator", text, integratorFromName,
+                                  "normals, direct_whitted, depth, av or ao");
+           command.overrides.integrator = all.front();
+           command.options.more.assign(all.begin() + 1, all.end());
+         },
+         "normals, direct_whitted, depth, av or ao; further ones, after commas, go beside it as "
+         "layers")
+      ->type_name("NAME,...");
+  app.add_option_function<std::string>(
+         "--sampler",
+         [&](const std::string& name) {
+           command.overrides.sampler = samplerFromName(name);
+           if (!command.overrides.sampler)
+             throw CLI::ValidationError("--sampler",
+                                        "expected independent, stratified or sobol, not " + name);
+         },
+         "independent, stratified or sobol")
+      ->type_name("NAME");
+  app.add_option_function<std::string>(
+         "--layers",
+         [&](const std::string& text) {
+           command.options.layers = named("--layers", text, layerFromName, layerList());
+         },
+         "layers of the EXR file: " + layerList())
+      ->type_name("NAME,...");
+  app.add_option_function<std::string>(
+         "--filter",
+         [&](const std::string& name) {
+           const auto filter = filterFromName(name);
+           if (!filter)
+             throw CLI::ValidationError("--filter",
+                                        "expected gaussian, mitchell, tent or box, not " + name);
+           command.overrides.filter = filter->kind;
+         },
+         "reconstruction filter: gaussian, mitchell, tent or box")
+      ->type_name("NAME");
+  app.add_option_function<std::string>(
+         "--size",
+         [&](const std::string& text) {
+           const auto v = integers("--size", text, 'x', 2, "WIDTHxHEIGHT");
+           command.overrides.size = glm::ivec2(v[0], v[1]);
+         },
+         "size of the film in pixels")
+      ->type_name("WxH");
+  app.add_option_function<std::string>(
+         "--crop",
+         [&](const std::string& text) {
+           const auto v = integers("--crop", text, ',', 4, "x0,y0,x1,y1");
+           command.options.crop = Crop{v[0], v[1], v[2], v[3]};
+         },
+         "render pixels x0 <= x < x1, y0 <= y < y1 only")
+      ->type_name("x0,y0,x1,y1");
+  app.add_option("--device", command.vulkan.device, "index, part of the name, or cpu");
+  app.add_option("--traversal", command.vulkan.traversal, "lane or packet");
+  app.add_flag("--nori-compat", command.options.noriCompat,
+               "as Nori: filter weights from a table, pictures of 8 bits taken for linear");
+  app.add_option("-t,--threads", command.options.threads, "threads, 0 for all")
+      ->check(CLI::Range(0U, 4096U));
+}
+
+}  // namespace
+
+void addRenderOptions(CLI::App& app, RenderCommand& command) {
+  app.add_option("scene", command.scene, "Nori scene, or a picture, FILE.exr, to view")
+      ->type_name("SCENE.xml");
+  addSceneOptions(app, command);
+  app.add_option("-o,--output,--outfile", command.output, "picture to write; a .png goes beside it")
+      ->type_name("OUT.exr");
+  app.add_flag("--reference", command.reference, "render in double precision on the CPU");
+  app.add_flag("--resume", command.resume,
+               "go on from OUT.state.exr if there is one, and leave one to go on from");
+  app.add_flag("--validate", command.vulkan.validate, "make every validation message an error");
+  app.add_flag_callback(
+      "--stats", [&] { command.stats = true; },
+      "print figures to stderr; --stats=FILE.json writes them");
+  app.add_option_function<std::string>(
+         "--display-server",
+         [&](const std::string& text) {
+           try {
+             command.displayServer = viewerAddress(text);
+           } catch (const Error& error) {
+             throw CLI::ValidationError(error.what());
+           }
+         },
+         "show the picture in tev or HDRView while it renders")
+      ->type_name("HOST:PORT");
+  app.add_flag("-q,--quiet", command.quiet, "print nothing but warnings and errors");
+  app.add_flag("--gui", command.gui, "show the picture in a window while it renders");
+  app.add_flag_callback(
+      "-b,--nogui,--no-gui", [&] { command.gui = false; },
+      "no window, whatever --gui says; the default");
+}
+
+void addChartOptions(CLI::App& app, ChartCommand& command) {
+  app.add_option("scene", command.scene, "Nori scene, SCENE.xml")
+      ->type_name("SCENE.xml")
+      ->required();
+  app.add_option("--out", command.out, "folder of the chart; what is kept there is not done again")
+      ->type_name("DIR");
+  app.add_option_function<std::string>(
+         "--size",
+         [&](const std::string& text) {
+           const auto v = integers("--size", text, 'x', 2, "WIDTHxHEIGHT");
+           command.size = glm::ivec2(v[0], v[1]);
+         },
+         "size of the film in pixels; default 256 wide")
+      ->type_name("WxH");
+  app.add_option("--device", command.device, "as in rendering");
+  app.add_option("-t,--threads", command.threads, "as in rendering")->check(CLI::Range(0U, 4096U));
+  app.add_option("--metric", command.metric, "error to show first: rmse, relmse or unexcused")
+      ->check(CLI::IsMember({"rmse", "relmse", "unexcused"}));
+  app.add_option("--runs", command.runs, "renders of each point; the median counts")
+      ->check(CLI::Range(1U, 1000U));
+  app.add_option("--spp", command.samples, "samples a pixel at most")
+      ->check(CLI::Range(1U, 1U << 20));
+  app.add_option("--reference-spp", command.referenceSamples, "of each half of the reference")
+      ->check(CLI::Range(1U, 1U << 20));
+  app.add_option("--peer", command.peers, "another renderer's picture and time; may be repeated")
+      ->type_name("NAME SECONDS FILE.exr")
+      ->type_size(3)
+      ->expected(1, 1000);
+  app.add_option("--program", command.programs,
+                 "a program that takes laver's options, to run beside it; may be repeated")
+      ->type_name("NAME FILE")
+      ->type_size(2)
+      ->expected(1, 1000);
+  app.add_flag("-q,--quiet", command.quiet, "print nothing but warnings and errors");
+}
+
+void addPlanOptions(CLI::App& app, PlanCommand& command) {
+  app.add_option("scene", command.scene, "Nori scene, SCENE.xml")
+      ->type_name("SCENE.xml")
+      ->required();
+  addSceneOptions(app, command);
+  app.add_flag("--json", command.json, "print JSON");
+}
+
+}  // namespace laver

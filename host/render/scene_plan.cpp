@@ -1,0 +1,175 @@
+#include "render/scene_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "render/attribute_form.h"
+#include "render/plan_lines.h"
+#include "render/renderings.h"
+#include "render/sample_map.h"
+#include "render/traversal.h"
+#include "vulkan/buffer.h"
+
+namespace laver {
+namespace {
+
+using Line = ScenePlan::Line;
+
+/// Sets plan.traversal, and says why.
+Line traversal(const Scene& scene, std::uint64_t triangles, const std::string& wanted,
+               const DeviceInfo& device, ScenePlan& plan) {
+  plan.traversal = traversalFor(device, wanted);
+  std::string why = "asked for";
+  if (wanted.empty() && plan.traversal == "lane") why = "no subgroups of 8 lanes that shuffle";
+  if (wanted.empty() && plan.traversal == "packet") {
+    why = "subgroups of 8 lanes that shuffle, up to 5 triangles to a ray";
+    if (tooDenseForPackets(triangles, scene)) {
+      plan.traversal = "lane";
+      why = "more than 5 triangles to a ray";
+    }
+  }
+  return {"traversal", plan.traversal, why, "", 0};
+}
+
+Line adaptive(const Scene& scene, const RenderOptions& options) {
+  if (options.error == 0.0)
+    return {"adaptive", "off", "no --error", "counts of cells, and lists of work", 0};
+  return {"adaptive",
+          fmt::format("{} to {} samples a pixel", shared::CELL_STEP, mostOf(scene.sampler)),
+          fmt::format("to an error of {:g}, which {} pilots of 1 sample decide", options.error,
+                      kPilots),
+          "", 0};
+}
+
+/// The lines and figures of how the render is cut.
+void addCut(const Scene& scene, const RenderOptions& options, const Facts& f,
+            const DeviceInfo& device, ScenePlan& plan) {
+  const std::uint32_t samples = scene.sampler.sampleCount;
+  const RenderPlan cut =
+      planRender(device.limits, scene, options, f.constant(shared::SPEC_APRON), 0);
+  const Crop core = coreOf(scene, options);
+  const auto rows = static_cast<std::uint32_t>(core.y1 - core.y0);
+  const std::uint32_t bands = (rows + cut.bandRows - 1) / cut.bandRows;
+  const std::uint32_t most = options.error == 0.0 ? samples : mostOf(scene.sampler);
+  const std::uint32_t passes = (most + cut.samplesAPass - 1) / cut.samplesAPass;
+  // Lists of work go by 16 at most.
+  const std::uint32_t room =
+      std::min({cut.samplesAPass, cut.sideBySide, options.error == 0.0 ? 64U : 16U});
+  const std::uint32_t beside = room >= 64 ? 64 : room >= 16 ? 16 : room >= 4 ? 4 : 1;
+  const std::uint64_t flight = cut.sampleSlots * 20, film = cut.bandPixels * 32;
+  const double density =
+      static_cast<double>(f.triangles) / scene.camera.width / scene.camera.height;
+  plan.lines.push_back({"side by side", countOf(beside, "sample") + " of a pixel",
+                        room < cut.sideBySide ? "no more in a pass"
+                                              : fmt::format("{:.2g} triangles to a pixel", density),
+                        "", 0});
+  plan.lines.push_back(
+      {"passes",
+       fmt::format("{}{} x {} in {}", options.error == 0.0 ? "" : "up to ", passes,
+                   countOf(cut.samplesAPass, "sample"), countOf(bands, "band")),
+       fmt::format("{} MiB of samples in flight, {} MiB of film", flight >> 20, film >> 20), "",
+       0});
+  plan.figures = {{"width", core.x1 - core.x0},
+                  {"height", core.y1 - core.y0},
+                  {"samples", samples},
+                  {"pictures", f.pictures},
+                  {"triangles", f.triangles},
+                  {"nodes", f.data.bvh.nodes.size()},
+                  {"depth", f.data.bvh.depth},
+                  {"stackNeeded", f.data.bvh.stack},
+                  {"stack", f.constant(shared::SPEC_STACK)},
+                  {"indexBytes", f.constant(shared::SPEC_INDEX_BYTES)},
+                  {"bytesUploaded", uploadedBytes(f.data)},
+                  {"sampleBytes", flight},
+                  {"filmBytes", film},
+                  {"bands", bands},
+                  {"passesABand", passes},
+                  {"samplesAPass", cut.samplesAPass},
+                  {"samplesSideBySide", beside}};
+}
+
+void noteShown(Integrator shown, const Scene& scene, Facts& facts) {
+  const bool shaded = shown == Integrator::DirectWhitted;
+  facts.shaded = facts.shaded || shaded;
+  facts.coloured =
+      facts.coloured || shown == Integrator::Albedo || (shaded && !scene.lights.empty());
+}
+
+Line integrator(const Scene& scene, std::size_t pictures) {
+  if (pictures == 1)
+    return {"integrator", integratorName(scene.integrator), "a kernel of its own", "all others", 0};
+  return {"integrator", integratorName(scene.integrator),
+          fmt::format("{} from one upload, a kernel each", countOf(pictures, "picture")),
+          "all others", 0};
+}
+
+}  // namespace
+
+std::uint64_t uploadedBytes(const SceneData& data) {
+  return data.bvh.nodes.size() * sizeof(shared::Node) +
+         data.bvh.triangles.size() * sizeof(shared::Triangle) +
+         data.attributes.size() * texelBytes(attributeFormat(data.constants)) +
+         data.normals.size() * sizeof(glm::vec4) +
+         data.materials.size() * sizeof(shared::Material) +
+         data.textures.size() * sizeof(shared::Texture) + data.uvs.size() * sizeof(data.uvs[0]) +
+         data.images.size() * sizeof(data.images[0]) + data.lights.size() * sizeof(shared::Light) +
+         data.jumps.size() * sizeof(shared::Jump);
+}
+
+ScenePlan planScene(const Scene& scene, const RenderOptions& options,
+                    const std::string& wantedTraversal, const DeviceInfo& device) {
+  ScenePlan plan;
+  plan.device = device.name;
+  plan.driver = device.driver;
+  const std::vector<Rendering> pictures = renderingsOf(scene, options);
+  const SpecConstants constants = constantsOfAll(pictures);
+  const SceneData data = packScene(scene, options, constants);
+  Facts facts{scene, data, constants[shared::SPEC_STACK]};
+  facts.pictures = pictures.size();
+  noteShown(scene.integrator, scene, facts);
+  for (const Shown& shown : shownBeside(options.more, options.layers))
+    noteShown(shown.integrator, scene, facts);
+  for (const Mesh& mesh : scene.meshes) {
+    facts.triangles += mesh.primitives();
+    facts.spheres += mesh.sphere ? 1 : 0;
+    facts.normals += mesh.normals.size();
+    facts.uvs += mesh.uvs.size();
+  }
+  plan.lines = {integrator(scene, pictures.size()),
+                traversal(scene, facts.triangles, wantedTraversal, device, plan)};
+  for (Line& line : sceneLines(facts)) plan.lines.push_back(std::move(line));
+  plan.lines.push_back(adaptive(scene, options));
+  addCut(scene, options, facts, device, plan);
+  return plan;
+}
+
+std::string ScenePlan::text() const {
+  std::string out = fmt::format("{:<21}{} ({})\n", "device", device, driver);
+  for (const Line& line : lines) {
+    out += fmt::format("{:<21}{}: {}", line.what, line.decision, line.reason);
+    std::string saving;
+    if (line.bytesNotUploaded != 0) saving = fmt::format("{} bytes", line.bytesNotUploaded);
+    if (!line.saving.empty()) saving += (saving.empty() ? "" : ", ") + line.saving;
+    out += saving.empty() ? "\n" : fmt::format("; saves {}\n", saving);
+  }
+  return out + fmt::format("{:<21}{} bytes of scene\n", "uploads",
+                           figures["bytesUploaded"].get<std::uint64_t>());
+}
+
+nlohmann::json ScenePlan::json() const {
+  nlohmann::json all = nlohmann::json::array();
+  for (const Line& line : lines)
+    all.push_back({{"what", line.what},
+                   {"decision", line.decision},
+                   {"reason", line.reason},
+                   {"saving", line.saving},
+                   {"bytesNotUploaded", line.bytesNotUploaded}});
+  return {{"device", device},
+          {"driver", driver},
+          {"traversal", traversal},
+          {"figures", figures},
+          {"lines", all}};
+}
+
+}  // namespace laver

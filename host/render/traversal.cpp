@@ -1,0 +1,42 @@
+#include "render/traversal.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.h"
+
+namespace laver {
+
+std::string bestTraversal(const DeviceInfo& device) {
+  return device.subgroupSize == 8 && device.shuffles ? "packet" : "lane";
+}
+
+std::string traversalFor(const DeviceInfo& device, const std::string& wanted) {
+  std::string best = bestTraversal(device);
+  if (wanted.empty()) return best;
+  if (wanted == "packet" && best != "packet")
+    throw Error(ExitCode::Device,
+                fmt::format("traversal packet needs subgroups of 8 lanes that shuffle; {} has {}",
+                            device.name, device.subgroupSize));
+  if (wanted != "packet" && wanted != "lane")
+    throw Error(ExitCode::Usage, fmt::format("no traversal is named \"{}\"; there are lane and "
+                                             "packet",
+                                             wanted));
+  return wanted;
+}
+
+bool tooDenseForPackets(std::uint64_t triangles, const Scene& scene) {
+  const std::uint64_t rays = static_cast<std::uint64_t>(scene.camera.width) *
+                             static_cast<std::uint64_t>(scene.camera.height) *
+                             std::min(scene.sampler.sampleCount, 16U);
+  return triangles > 5 * rays;
+}
+
+std::uint32_t sideBySide(std::uint64_t triangles, const Camera& camera) {
+  const auto pixels =
+      static_cast<std::uint64_t>(camera.width) * static_cast<std::uint64_t>(camera.height);
+  return triangles > pixels ? 64 : 16;
+}
+
+}  // namespace laver
