@@ -54,16 +54,31 @@ std::span<const std::uint32_t> @lookup@(const std::string& kernel) {
 endmacro()
 
 # Each is compiled for both traversals: for any device, and for subgroups of 8 lanes that shuffle.
-# Those that show textures or a background are compiled with and without them.
+# Those that show textures or a background are compiled with and without them, those that trace with
+# and without spheres: a driver would read their code, a fifth of all, before a specialisation
+# constant could leave it out.
 set(LAVER_TEXTURED_KERNELS albedo direct_whitted)
 foreach(kernel IN LISTS LAVER_KERNELS)
   get_filename_component(name ${kernel} NAME_WE)
-  laver_kernel(${name}_lane ${kernel})
-  laver_kernel(${name}_packet ${kernel} -DLAVER_PACKET)
+  set(variants _)
   if(name IN_LIST LAVER_TEXTURED_KERNELS)
-    laver_kernel(${name}_textured_lane ${kernel} -DLAVER_TEXTURES)
-    laver_kernel(${name}_textured_packet ${kernel} -DLAVER_TEXTURES -DLAVER_PACKET)
+    list(APPEND variants _textured_)
   endif()
+  if(NOT name STREQUAL gather)
+    list(TRANSFORM variants APPEND spheres_ OUTPUT_VARIABLE with_spheres)
+    list(APPEND variants ${with_spheres})
+  endif()
+  foreach(variant IN LISTS variants)
+    set(defines "")
+    if(variant MATCHES textured)
+      list(APPEND defines -DLAVER_TEXTURES)
+    endif()
+    if(variant MATCHES spheres)
+      list(APPEND defines -DLAVER_SPHERES)
+    endif()
+    laver_kernel(${name}${variant}lane ${kernel} ${defines})
+    laver_kernel(${name}${variant}packet ${kernel} ${defines} -DLAVER_PACKET)
+  endforeach()
 endforeach()
 # Methods that laver does not render with, for `laver chart`.
 laver_kernel(charted_methods ${LAVER_SHADER_DIR}/charted/methods.comp)

@@ -12,9 +12,12 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
     const int texel = int(hit ? hits.slot[r] * 3u : 0u);
     const uvec4 a = texelFetch(triangleTexels, texel);
     const vec3 b = texelVec3(texelFetch(triangleTexels, texel + 1));
-    const vec3 c = texelVec3(texelFetch(triangleTexels, texel + 2));
+    const uvec4 c = texelFetch(triangleTexels, texel + 2);
     const vec3 d = rays.direction[r];
-    const Point p = pointAt(rays.origin, d, texelVec3(a), b, c, false);
+    Point p = pointAt(rays.origin, d, texelVec3(a), b, texelVec3(c), false);
+#ifdef LAVER_SPHERES
+    if (c.w == IS_SPHERE) p = ballAt(rays.origin, d, rays.tmin[r], texelVec3(a), b.x);
+#endif
     precise float distance = p.t * sqrt(dotProduct(d, d)) * params.clip.z;
     if (rays.live[r])
       filmPixels[place.y * pass.region.z + place.x] =

@@ -8,6 +8,9 @@
 #include "resources.glsl"
 #include "rays.glsl"
 #include "shared/box.h"
+#ifdef LAVER_SPHERES
+#include "shared/sphere.h"
+#endif
 
 uint stackRef[STACK];
 float stackDepth[STACK];
@@ -61,6 +64,10 @@ struct LaneTriangle {
   vec3 a, b, c;           // as stored
   vec3 pa, pb, pc;        // permuted, relative to the origin
   uint id, more;
+#ifdef LAVER_SPHERES
+  bool ball;  // a sphere: radius b.x, and the depths of its ends
+  vec2 ends;
+#endif
 };
 
 LaneTriangle loadTriangle(LaneRay ray, uint slot) {
@@ -77,6 +84,10 @@ LaneTriangle loadTriangle(LaneRay ray, uint slot) {
   t.pc = permute(ray.shear, t.c - ray.origin);
   t.id = a.w;
   t.more = b.w;
+#ifdef LAVER_SPHERES
+  t.ball = c.w == IS_SPHERE;
+  t.ends = endsOf(permute(ray.shear, t.a).z, t.b.x, permute(ray.shear, ray.origin).z);
+#endif
   return t;
 }
 
@@ -96,8 +107,15 @@ uint closestLane(vec3 origin, vec3 direction, float tmin, float tmax, bool live)
       uint more;
       do {
         const LaneTriangle t = loadTriangle(ray, slot);
-        const Edges e = edgesOf(ray.shear, t.pa, t.pb, t.pc);
-        const float depth = depthOf(e, t.pa.z, t.pb.z, t.pc.z);
+        Edges e = edgesOf(ray.shear, t.pa, t.pb, t.pc);
+        float depth = depthOf(e, t.pa.z, t.pb.z, t.pc.z);
+#ifdef LAVER_SPHERES
+        if (t.ball) {
+          const Chord chord = chordOf(ray.shear, t.pa, t.ends, t.b.x);
+          depth = depthOn(chord, ray.first);
+          e.inside = chord.met;
+        }
+#endif
         // Equal depths: the smaller id, that is file order.
         if (e.inside && depth >= ray.first && depth <= last && (depth < last || t.id < bestId)) {
           last = depth;
@@ -137,9 +155,13 @@ bool visibleLane(vec3 point, vec3 way, bool lit, vec3 light, bool live) {
         const vec3 a = permute(ray.shear, t.a);
         const vec3 n = crossProduct(permute(ray.shear, t.b) - a, permute(ray.shear, t.c) - a);
         const float lightSide = dotProduct(n, permute(ray.shear, light) - a);
-        const bool between =
+        bool between =
             lit ? blocks(ray.shear, last, n, lightSide, t.pa, t.pb, t.pc)
                 : blocksWay(ray.shear, last, permute(ray.shear, way), n, t.pa, t.pb, t.pc);
+#ifdef LAVER_SPHERES
+        const vec3 end = lit ? permute(ray.shear, light) - a : permute(ray.shear, way) - t.pa;
+        if (t.ball) between = ballBlocks(ray.shear, last, t.pa, end, t.ends, t.b.x);
+#endif
         blocked = blocked || between;
         more = blocked ? 0u : t.more;
         slot++;

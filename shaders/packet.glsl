@@ -53,9 +53,18 @@ Hits closest(Rays rays) {
           const vec3 b = fromLane(leaf.b, from) - origin;
           const vec3 c = fromLane(leaf.c, from) - origin;
           const uint id = subgroupShuffle(leaf.id, from);
+#ifdef LAVER_SPHERES
+          const float radius = subgroupShuffle(leaf.radius, from);
+          const vec2 ends = endsOf(subgroupShuffle(leaf.a.z, from), radius, origin.z);
+#endif
           FOR_RAYS (uint r = 0u; r < R; ++r) {
-            const Edges e = edgesOf(shears[r], a, b, c);
-            const float depth = depthOf(e, a.z, b.z, c.z);
+            Edges e = edgesOf(shears[r], a, b, c);
+            float depth = depthOf(e, a.z, b.z, c.z);
+#ifdef LAVER_SPHERES
+            const Chord chord = chordOf(shears[r], a, ends, radius);
+            depth = radius > 0.0 ? depthOn(chord, first[r]) : depth;
+            e.inside = radius > 0.0 ? chord.met : e.inside;
+#endif
             // Equal depths: the smaller id, that is file order.
             const bool nearer = e.inside && depth >= first[r] &&
                                 (depth < last[r] || (depth == last[r] && id < bestId[r]));
@@ -153,9 +162,17 @@ void visible(vec3 light, vec3 points[R], bool live[R], out bool seen[R]) {
           const vec3 c = fromLane(leaf.c, lender) * way;
           const vec3 n = crossProduct(b - a, c - a);
           const float lightSide = dotProduct(n, lamp - a);
+#ifdef LAVER_SPHERES
+          const float radius = subgroupShuffle(leaf.radius, lender);
+#endif
           FOR_RAYS (uint r = 0u; r < R; ++r) {
-            const bool blocked = blocks(shears[r], last[r], n, lightSide, a - from[r],
-                                        b - from[r], c - from[r]);
+            bool blocked = blocks(shears[r], last[r], n, lightSide, a - from[r],
+                                  b - from[r], c - from[r]);
+#ifdef LAVER_SPHERES
+            const bool byBall = ballBlocks(shears[r], last[r], a - from[r], lamp - a,
+                                           endsOf(a.z, radius, from[r].z), radius);
+            blocked = radius > 0.0 ? byBall : blocked;
+#endif
             open &= blocked ? ~(1u << r) : ~0u;
           }
         }

@@ -34,9 +34,17 @@ bool occludedAlone(vec3 point, vec3 way) {
       const vec3 a = permute(shear, texelVec3(first));
       const vec3 b = permute(shear, texelVec3(second));
       const vec3 c = permute(shear, texelVec3(texelFetch(triangleTexels, texel + 2)));
-      const bool meets = lane() <= subgroupShuffle(second.w, 0u) &&
-                         blocksWay(shear, last, wayThere, crossProduct(b - a, c - a), a - from,
-                                   b - from, c - from);
+      bool meets = lane() <= subgroupShuffle(second.w, 0u) &&
+                   blocksWay(shear, last, wayThere, crossProduct(b - a, c - a), a - from, b - from,
+                             c - from);
+#ifdef LAVER_SPHERES
+      const float radius = uintBitsToFloat(second.x);
+      const bool byBall = ballBlocks(shear, last, a - from, wayThere - (a - from),
+                                     endsOf(a.z, radius, from.z), radius);
+      const bool held = lane() <= subgroupShuffle(second.w, 0u);
+      const bool ball = texelFetch(triangleTexels, texel + 2).w == IS_SPHERE;
+      meets = ball ? held && byBall : meets;
+#endif
       blocked = orOfLanes(!none && meets ? 1u : 0u) != 0u;
       const uint next = pop();
       ref = blocked ? REF_NONE : next;

@@ -4,6 +4,9 @@
 #define LAVER_PACKET_WALK
 #include "frustum.glsl"
 #include "resources.glsl"
+#ifdef LAVER_SPHERES
+#include "shared/sphere.h"
+#endif
 
 // One stack for the subgroup: entry i lies in lane i % 8, row i / 8. The host makes it large enough
 // for any walk.
@@ -71,6 +74,9 @@ struct LeafTriangle {
   vec3 a, b, c;
   vec3 low, high;
   uint id;
+#ifdef LAVER_SPHERES
+  float radius;  // of a sphere, whose centre is a; else 0
+#endif
 };
 
 // `mine`: which triangles of a leaf the rays of this lane, `own`, may meet; none for REF_NONE.
@@ -91,6 +97,13 @@ LeafTriangle loadLeaf(Frustum f, Frustum own, uint ref, out uint slot, out uint 
                lesser(t.a.z, lesser(t.b.z, t.c.z)));
   t.high = vec3(greater(t.a.x, greater(t.b.x, t.c.x)), greater(t.a.y, greater(t.b.y, t.c.y)),
                 greater(t.a.z, greater(t.b.z, t.c.z)));
+#ifdef LAVER_SPHERES
+  t.radius = c.w == IS_SPHERE ? uintBitsToFloat(b.x) : 0.0;
+  if (t.radius > 0.0) {
+    t.low = t.a - t.radius * BALL_GROWTH;
+    t.high = t.a + t.radius * BALL_GROWTH;
+  }
+#endif
   const bool hit = !none && lane() <= subgroupShuffle(b.w, 0u) && meets(f, t.low, t.high);
   uint meeting = orOfLanes(hit ? 1u << lane() : 0u);
   mine = 0u;

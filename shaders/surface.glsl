@@ -1,8 +1,11 @@
-// What a ray has met: the point on the triangle, its shading normal and its material.
+// What a camera ray has met: the point on the triangle or sphere, its shading normal, its material.
 #ifndef LAVER_SURFACE
 #define LAVER_SURFACE
 #include "resources.glsl"
 #include "shared/point.h"
+#ifdef LAVER_SPHERES
+#include "ball.glsl"
+#endif
 #ifdef LAVER_TEXTURES
 #include "texture.glsl"
 #endif
@@ -24,7 +27,10 @@ Surface surfaceAt(vec3 origin, vec3 direction, uint slot) {
   const vec3 a = texelVec3(first);
   const vec3 b = texelVec3(texelFetch(triangleTexels, texel + 1));
   const uvec4 last = texelFetch(triangleTexels, texel + 2);
-  const Point p = pointAt(origin, direction, a, b, texelVec3(last), last.w != 0u);
+  Point p = pointAt(origin, direction, a, b, texelVec3(last), last.w != 0u);
+#ifdef LAVER_SPHERES
+  if (last.w == IS_SPHERE) p = ballAt(origin, direction, params.clip.x, a, b.x);
+#endif
 
   Surface s;
   s.position = p.position;

@@ -8,8 +8,20 @@
 #include "bvh/flatten.h"
 #include "core/error.h"
 #include "core/parallel.h"
+#include "shared/sphere.h"
 
 namespace laver {
+namespace {
+
+BuildItem itemOf(const shared::Triangle& t, std::uint32_t number) {
+  if (t.flipped == shared::IS_SPHERE) {
+    const glm::vec3 reach(t.b.x * shared::BALL_GROWTH);
+    return {t.a - reach, t.a + reach, number};
+  }
+  return {glm::min(glm::min(t.a, t.b), t.c), glm::max(glm::max(t.a, t.b), t.c), number};
+}
+
+}  // namespace
 
 Bvh buildBvh(std::span<const shared::Triangle> triangles, unsigned threads) {
   if (triangles.empty()) {
@@ -27,11 +39,8 @@ Bvh buildBvh(std::span<const shared::Triangle> triangles, unsigned threads) {
                                               triangles.size(), shared::REF_INDEX_MASK));
   UninitialisedVector<BuildItem> items(triangles.size());
   parallelFor(items.size(), 1U << 13, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const shared::Triangle& t = triangles[i];
-      items[i] = {glm::min(glm::min(t.a, t.b), t.c), glm::max(glm::max(t.a, t.b), t.c),
-                  static_cast<std::uint32_t>(i)};
-    }
+    for (std::size_t i = begin; i < end; ++i)
+      items[i] = itemOf(triangles[i], static_cast<std::uint32_t>(i));
   });
   return flatten(buildBinary(std::move(items), threads), triangles, threads);
 }

@@ -7,7 +7,7 @@
 
 namespace laver {
 
-/// A triangle mesh's tree in the layout of shaders/shared/layout.h.
+/// The tree of triangles and spheres in the layout of shaders/shared/layout.h.
 struct Bvh {
   UninitialisedVector<shared::Node> nodes;
   UninitialisedVector<shared::Triangle> triangles;  ///< in the order of the leaves
@@ -18,8 +18,8 @@ struct Bvh {
   std::uint32_t leaves = 0;
 };
 
-/// Builds the tree of `triangles`, whose `id`s are set and whose coordinates are finite. Throws
-/// Error(Device) if there are more than a reference can name.
+/// Builds the tree of `triangles`, spheres among them, whose `id`s are set and whose coordinates
+/// are finite. Throws Error(Device) if there are more than a reference can name.
 Bvh buildBvh(std::span<const shared::Triangle> triangles, unsigned threads = 0);
 
 }  // namespace laver

@@ -37,9 +37,8 @@ bool excused(const Scene& scene, const Reference& reference, const BoundsOf& bou
     for (int u = std::max(x - apron, 0); u <= std::min(x + apron, scene.camera.width - 1); ++u)
       for (std::uint32_t s = 0; s < scene.sampler.sampleCount; ++s) {
         const glm::dvec2 film(reference.samplePosition(u, v, s));
-        const auto hit = reference.closest(film);
-        const double delta =
-            hit ? 2.0 * bounds.pixelsAt(bounds.distanceOf(hit->triangle, hit->u, hit->v)) : 0.004;
+        const auto hit = reference.centre(film);
+        const double delta = hit ? 2.0 * bounds.pixelsAt(hit->distance) : 0.004;
         if (!reference.decided(film, delta, 0.5 * difference)) return true;
       }
   return false;

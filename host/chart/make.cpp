@@ -238,7 +238,7 @@ class Maker {
         for (const MethodPoint& m :
              chartMethods(scene_, options_.device, options_.runs, options_.stop))
           found->push_back(toJson(m));
-      } catch (const Error& error) {  // a tree that is too large for one buffer
+      } catch (const Error& error) {  // a sphere, or a tree too large for one buffer
         if (options_.say) options_.say(std::string("panel C is left out: ") + error.what());
         return;
       }

@@ -60,7 +60,7 @@ std::size_t layerChannels(const RenderOptions& options) {
 void warnOfMissingUvs(const RenderOptions& options, const Scene& scene) {
   if (!asks(options.layers, Layer::Uv)) return;
   for (const Mesh& mesh : scene.meshes)
-    if (mesh.uvs.empty())
+    if (mesh.uvs.empty() && !mesh.sphere)
       std::cerr << fmt::format(
           "laver: warning: \"{}\" has no texture coordinates; layer uv is 0 there\n", mesh.name);
 }

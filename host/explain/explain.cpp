@@ -6,6 +6,7 @@
 #include <cmath>
 #include <mutex>
 
+#include "core/error.h"
 #include "core/parallel.h"
 #include "explain/bounds.h"
 #include "explain/numbered.h"
@@ -217,6 +218,10 @@ std::uint64_t Explanation::unexcused() const {
 }
 
 Explanation explain(const Scene& scene, const Scene& judged, const VulkanOptions& vulkan) {
+  if (hasSpheres(scene))
+    throw Error(ExitCode::Usage,
+                fmt::format("--explain {}: it tells triangles apart, and the scene has a sphere",
+                            scene.file));
   return Comparison(scene, judged, vulkan).run();
 }
 

@@ -35,7 +35,7 @@ struct Explanation {
 
 /// Renders `scene` and compares. `judged`, with the same meshes' triangles, is what the reference
 /// takes for the truth; it is `scene` but for tests. Radiance is compared for direct_whitted.
-/// Throws Error(Device).
+/// Throws Error(Device), and Error(Usage) for a scene with a sphere.
 Explanation explain(const Scene& scene, const Scene& judged, const VulkanOptions& vulkan);
 
 /// The report, lines.

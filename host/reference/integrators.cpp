@@ -16,7 +16,7 @@ glm::dvec3 beside(const Surface& surface, const glm::dvec3& way) {
 }
 
 bool lit(const World& world, const Surface& surface, const glm::dvec3& light) {
-  return !world.tree().blocked(beside(surface, light - surface.position), light);
+  return !world.blocked(beside(surface, light - surface.position), light);
 }
 
 // Uniform on the sphere by its height and azimuth.
@@ -45,8 +45,7 @@ glm::dvec3 cosineAround(const glm::dvec3& n, glm::dvec2 numbers) {
 double openness(const World& world, const Surface& surface, const glm::dvec3& direction,
                 double length) {
   const glm::dvec3 from = beside(surface, direction);
-  return world.tree().blocked(from, from + std::min(length, world.extent()) * direction) ? 0.0
-                                                                                         : 1.0;
+  return world.blocked(from, from + std::min(length, world.extent()) * direction) ? 0.0 : 1.0;
 }
 
 glm::dvec3 directWhitted(const World& world, const Scene& scene, const glm::dvec3& direction,
@@ -69,7 +68,7 @@ glm::dvec3 directWhitted(const World& world, const Scene& scene, const glm::dvec
 
 glm::dvec3 radiance(const World& world, const Scene& scene, Integrator shown,
                     const CameraRay& camera, glm::dvec2 numbers) {
-  const auto hit = world.tree().closest(camera.ray, camera.tmin, camera.tmax);
+  const auto hit = world.closest(camera.ray, camera.tmin, camera.tmax);
   if (!hit && scene.environment && shown == Integrator::DirectWhitted)
     return backgroundAt(*scene.environment, camera.ray.direction);
   if (!hit) return glm::dvec3(shown == Integrator::AverageVisibility ? 1.0 : 0.0);

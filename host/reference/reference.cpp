@@ -30,10 +30,11 @@ glm::dvec3 Reference::radiance(glm::dvec2 film, glm::dvec2 numbers) const {
 
 std::optional<Reference::Hit> Reference::closest(glm::dvec2 film) const {
   const reference::CameraRay camera = impl_->view.through(film);
-  const auto hit = impl_->world.tree().closest(camera.ray, camera.tmin, camera.tmax);
+  const auto hit = impl_->world.closest(camera.ray, camera.tmin, camera.tmax);
   if (!hit) return {};
-  const reference::Weights weights = hit->triangle->asGiven(hit->weights);
-  return Hit{hit->triangle->id, hit->t, weights[1], weights[2]};
+  if (!hit->triangle) return Hit{hit->id(), hit->t, 0.0, 0.0};
+  const reference::Weights weights = hit->triangle->triangle->asGiven(hit->triangle->weights);
+  return Hit{hit->id(), hit->t, weights[1], weights[2]};
 }
 
 bool Reference::decided(glm::dvec2 film, double delta, double tolerance, glm::dvec2 numbers) const {
@@ -100,9 +101,9 @@ Image Reference::picture(Integrator shown, const RenderOptions& options, std::ui
 std::optional<CentreHit> Reference::centre(glm::dvec2 film) const {
   const reference::CameraRay camera = impl_->view.through(film);
   const reference::World& world = impl_->world;
-  const auto hit = world.tree().closest(camera.ray, camera.tmin, camera.tmax);
+  const auto hit = world.closest(camera.ray, camera.tmin, camera.tmax);
   if (!hit) return {};
-  const std::uint32_t id = hit->triangle->id;
+  const std::uint32_t id = hit->id();
   const std::size_t mesh = world.meshOf(id);
   const reference::Surface surface = world.surface(*hit);
   return CentreHit{hit->t * glm::length(camera.ray.direction), surface.position + world.centre(),

@@ -16,9 +16,9 @@ class Reference {
  public:
   /// What a camera ray meets first.
   struct Hit {
-    std::uint32_t triangle;  ///< number in file order over all meshes
+    std::uint32_t triangle;  ///< number in file order over all meshes, spheres too
     double t;                ///< of the camera ray: toWorld times the unit camera direction
-    double u, v;             ///< barycentric weights of the triangle's second and third corner
+    double u, v;  ///< barycentric weights of the triangle's second and third corner; 0 on a sphere
   };
 
   /// Builds its tree. The scene must outlive it. Throws Error(Scene) for 2^31 triangles or more.

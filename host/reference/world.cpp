@@ -13,6 +13,10 @@ Box boxOf(const Scene& scene) {
   Box box;
   for (const Mesh& mesh : scene.meshes) {
     for (const glm::dvec3& position : mesh.positions) box.add(position);
+    if (mesh.sphere) {
+      box.add(mesh.sphere->centre - mesh.sphere->radius);
+      box.add(mesh.sphere->centre + mesh.sphere->radius);
+    }
   }
   return box.lo.x <= box.hi.x ? box : Box{glm::dvec3(0.0), glm::dvec3(0.0)};
 }
@@ -32,18 +36,22 @@ World::World(const Scene& scene, unsigned threads)
   std::uint64_t count = 0;
   for (const Mesh& mesh : scene.meshes) {
     first_.push_back(count);
-    count += mesh.triangles.size();
+    if (mesh.sphere)
+      balls_.push_back({mesh.sphere->centre - centre(), mesh.sphere->radius,
+                        static_cast<std::uint32_t>(count), first_.size() - 1});
+    count += mesh.primitives();
   }
 }
 
 std::vector<Triangle> World::gather() const {
   std::vector<Triangle> triangles;
+  std::uint32_t number = 0;
   const glm::dvec3 centre = this->centre();
   for (const Mesh& mesh : scene_->meshes) {
+    if (mesh.sphere) ++number;
     for (const glm::uvec3& t : mesh.triangles) {
       triangles.emplace_back(mesh.positions[t.x] - centre, mesh.positions[t.y] - centre,
-                             mesh.positions[t.z] - centre,
-                             static_cast<std::uint32_t>(triangles.size()));
+                             mesh.positions[t.z] - centre, number++);
     }
   }
   return triangles;
@@ -52,6 +60,38 @@ std::vector<Triangle> World::gather() const {
 std::size_t World::meshOf(std::uint32_t id) const {
   const auto next = std::upper_bound(first_.begin(), first_.end(), id);
   return static_cast<std::size_t>(next - first_.begin()) - 1;
+}
+
+std::optional<Met> World::closest(const Ray& ray, double tmin, double tmax) const {
+  std::optional<Met> best;
+  if (const auto hit = tree_.closest(ray, tmin, tmax)) best = Met{hit->t, hit};
+  for (const Ball& ball : balls_) {
+    const auto hit = reference::closest(ball, ray, tmin, tmax);
+    if (!hit || (best && (hit->t > best->t || (hit->t == best->t && ball.id > best->id()))))
+      continue;
+    best = Met{hit->t, {}, &ball, hit->normal};
+  }
+  return best;
+}
+
+bool World::blocked(const glm::dvec3& from, const glm::dvec3& to) const {
+  return tree_.blocked(from, to) ||
+         std::any_of(balls_.begin(), balls_.end(),
+                     [&](const Ball& ball) { return crosses(ball, from, to); });
+}
+
+Surface World::surface(const Met& met) const {
+  if (met.triangle) return surface(*met.triangle);
+  const Ball& ball = *met.ball;
+  Surface surface{};
+  surface.position = ball.centre + ball.radius * met.normal;
+  surface.geometric = surface.shading = met.normal;
+  surface.uv = uvOf(met.normal);
+  surface.albedo = albedoAt(scene_->meshes[ball.mesh].bsdf, surface.uv);
+  // Half an ulp of each term a component, and of the moved position: as below.
+  surface.offset =
+      8 * 0x1p-53 * glm::dot(glm::abs(surface.geometric), glm::abs(ball.centre) + ball.radius);
+  return surface;
 }
 
 Surface World::surface(const TreeHit& hit) const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "reference/camera.h"
+#include "reference/sphere.h"
 #include "reference/tree.h"
 #include "scene/scene.h"
 
@@ -17,11 +18,22 @@ struct Surface {
   glm::dvec3 shading;    ///< unit normal from the vertex normals, else the geometric one
   glm::dvec3 albedo;
   double offset;  ///< distance along a normal that no rounding of `position` exceeds
-  glm::dvec2 uv;  ///< interpolated vertex coordinates, 0 where the mesh has none
+  glm::dvec2 uv;  ///< of a sphere, or interpolated from vertices; 0 where they have none
+};
+
+/// What a ray met first: a triangle, or else a sphere.
+struct Met {
+  double t;
+  std::optional<TreeHit> triangle;
+  const Ball* ball = nullptr;
+  glm::dvec3 normal{0.0};  ///< of the sphere
+
+  std::uint32_t id() const { return triangle ? triangle->triangle->id : ball->id; }
 };
 
 /// A scene's triangles in a tree, numbered in file order over all meshes. Coordinates are relative
-/// to the centre of the meshes' box, which spares digits where a scene lies far from 0.
+/// to the centre of the meshes' box, which spares digits where a scene lies far from 0. Spheres,
+/// which are few, are in a list.
 class World {
  public:
   /// The scene must outlive it. `threads` host threads, 0: all.
@@ -30,18 +42,23 @@ class World {
   glm::dvec3 centre() const { return 0.5 * box_.lo + 0.5 * box_.hi; }
   /// Farther than any two points of the meshes are apart.
   double extent() const { return 2.0 * glm::length(box_.hi - box_.lo); }
-  const Tree& tree() const { return tree_; }
-  Surface surface(const TreeHit& hit) const;
-  /// The mesh of a triangle's number, and the number of that mesh's first triangle.
+  /// The first hit with t in [tmin, tmax]; of equal ones that of the smallest number.
+  std::optional<Met> closest(const Ray& ray, double tmin, double tmax) const;
+  /// Whether anything lies between two points.
+  bool blocked(const glm::dvec3& from, const glm::dvec3& to) const;
+  Surface surface(const Met& met) const;
+  /// The mesh of a triangle's number, and the number of that mesh's first one.
   std::size_t meshOf(std::uint32_t id) const;
   std::uint64_t firstOf(std::size_t mesh) const { return first_[mesh]; }
 
  private:
+  Surface surface(const TreeHit& hit) const;
   std::vector<Triangle> gather() const;
 
   const Scene* scene_;
   std::vector<std::uint64_t> first_;  // number of each mesh's first triangle
   Box box_;
+  std::vector<Ball> balls_;
   Tree tree_;
 };
 

@@ -59,6 +59,13 @@ Line stack(const Facts& f) {
   return line;
 }
 
+Line spheres(const Facts& f) {
+  if (f.constant(shared::SPEC_SPHERES) != 0)
+    return {"spheres", countOf(f.spheres, "sphere"), "a kernel that tests them", "", 0};
+  return {"spheres", "left out", f.spheres == 0 ? "the scene has none" : "no ray is traced",
+          "their test beside the triangles'", 0};
+}
+
 Line normals(const Facts& f) {
   if (f.constant(shared::SPEC_NORMALS) != 0)
     return {"vertex normals", countOf(f.normals, "normal"),
@@ -215,9 +222,9 @@ std::string countOf(std::uint64_t n, const char* one, const char* more) {
 }
 
 std::vector<Line> sceneLines(const Facts& f) {
-  return {rays(f),     tree(f),       stack(f),      normals(f),       materials(f),
-          textures(f), pictures(f),   background(f), uvs(f),           indices(f),
-          lights(f),   shadowRays(f), sampler(f),    samplerTables(f), filter(f)};
+  return {rays(f),       tree(f),     stack(f),         spheres(f), normals(f), materials(f),
+          textures(f),   pictures(f), background(f),    uvs(f),     indices(f), lights(f),
+          shadowRays(f), sampler(f),  samplerTables(f), filter(f)};
 }
 
 }  // namespace laver

@@ -14,7 +14,8 @@ struct Facts {
   bool shaded = false;        ///< some picture shows direct_whitted
   bool coloured = false;      ///< some picture shows what colour the meshes have
   std::size_t pictures = 1;   ///< that are reconstructed
-  std::uint64_t triangles = 0, normals = 0, uvs = 0;  ///< of all meshes
+  std::uint64_t triangles = 0, normals = 0, uvs = 0;  ///< of all meshes; triangles: spheres too
+  std::uint64_t spheres = 0;
 
   std::uint32_t constant(std::uint32_t c) const { return data.constants[c]; }
   /// Of the records that materials would take. With textures they are there in any case.

@@ -38,7 +38,7 @@ Image Renderer::render(const Scene& scene, const RenderOptions& options, FilmSta
   std::vector<Rendering> pictures = renderingsOf(scene, options, impl_->options.generic);
   std::uint64_t triangles = 0;
   for (const Mesh& mesh : scene.meshes) {
-    triangles += mesh.triangles.size();
+    triangles += mesh.primitives();
     stats.droppedTriangles += mesh.droppedTriangles;
   }
   // Beside the building of the tree: the rest of the device's start, and the kernels.

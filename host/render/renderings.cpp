@@ -10,13 +10,13 @@
 namespace laver {
 namespace {
 
-/// The scene's triangles by their numbers over all meshes.
+/// The scene's triangles and spheres by their numbers over all meshes.
 class Triangles {
  public:
   Triangles(const Scene& scene, const Normalisation& space) : scene_(scene), space_(space) {
     std::uint32_t end = 0;
     for (const Mesh& mesh : scene.meshes)
-      ends_.push_back(end += static_cast<std::uint32_t>(mesh.triangles.size()));
+      ends_.push_back(end += static_cast<std::uint32_t>(mesh.primitives()));
   }
 
   void number(std::uint32_t id, CentreHit& hit) const {
@@ -26,9 +26,10 @@ class Triangles {
   }
 
   /// Vertex coordinates at a hit by the weights of the corners as the kernels have them: sorted by
-  /// their rounded positions. 0 where the mesh has none.
+  /// their rounded positions. 0 where the mesh has none. A sphere's are the last two weights.
   glm::dvec2 uv(const CentreHit& hit, const glm::dvec3& weights) const {
     const Mesh& mesh = scene_.meshes[hit.mesh];
+    if (mesh.sphere) return {weights.y, weights.z};
     if (mesh.uvs.empty()) return glm::dvec2(0.0);
     const glm::uvec3& t = mesh.triangles[hit.triangle];
     std::array<std::uint32_t, 3> sorted = {t.x, t.y, t.z};
@@ -46,11 +47,16 @@ class Triangles {
   std::vector<std::uint32_t> ends_;
 };
 
+const char* spheresOf(const SpecConstants& constants) {
+  return constants[shared::SPEC_SPHERES] != 0 ? "_spheres" : "";
+}
+
 std::string kernelOf(Integrator shown, const SpecConstants& constants) {
   const bool coloured = shown == Integrator::DirectWhitted || shown == Integrator::Albedo;
   const bool textured = constants[shared::SPEC_TEXTURES] != 0 ||
                         constants[shared::SPEC_BACKGROUND] != shared::BACKGROUND_BLACK;
-  return std::string(integratorName(shown)) + (coloured && textured ? "_textured" : "");
+  return integratorName(shown) + std::string(coloured && textured ? "_textured" : "") +
+         spheresOf(constants);
 }
 
 }  // namespace
@@ -68,7 +74,7 @@ std::vector<Rendering> renderingsOf(const Scene& scene, const RenderOptions& opt
   std::vector<std::string> centres = centreChannels(options.layers);
   if (!centres.empty()) {
     add(Integrator::Depth, std::move(centres));
-    pictures.back().kernel = "centres";
+    pictures.back().kernel = std::string("centres") + spheresOf(pictures.back().constants);
     pictures.back().centres = true;
     pictures.back().constants[shared::SPEC_ADAPTIVE] = 0;
   }

@@ -33,7 +33,37 @@ class MeshPacker {
   }
 
  private:
+  /// Returns its number.
+  std::uint32_t addMaterial(const Mesh& mesh) {
+    if (hasTextures_) {
+      textures_.addMaterial(mesh, nextId_);
+      return static_cast<std::uint32_t>(data_.textures.size() - 1);
+    }
+    if (!hasAlbedos_) return 0;
+    data_.materials.push_back({vec3(mesh.bsdf.albedo), 0.0F});
+    return static_cast<std::uint32_t>(data_.materials.size() - 1);
+  }
+
+  void addSphere(const Mesh& mesh) {
+    const std::uint32_t material = addMaterial(mesh);
+    const std::uint32_t id = nextId_++;
+    // Like a triangle without coordinates: the kernels take u and v for weights (ball.glsl).
+    if (hasTextures_) textures_.addTriangle(mesh, {0, 1, 2}, {0, 1, 2});
+    const auto radius = static_cast<float>(mesh.sphere->radius * data_.space.scale);
+    // sphere.h takes these to unit size by a power of two that floats hold.
+    if (radius < 0x1p-100F) {
+      ++data_.collapsedTriangles;
+      return;
+    }
+    triangles_.push_back({vec3(data_.space.apply(mesh.sphere->centre)), id, vec3(radius), 0,
+                          vec3(0.0F), shared::IS_SPHERE});
+    if (hasNormals_ || hasAlbedos_)
+      data_.attributes.push_back(
+          {material, shared::NO_NORMAL, shared::NO_NORMAL, shared::NO_NORMAL});
+  }
+
   void add(const Mesh& mesh) {
+    if (mesh.sphere) return addSphere(mesh);
     std::vector<vec3> positions(mesh.positions.size());
     std::transform(mesh.positions.begin(), mesh.positions.end(), positions.begin(),
                    [&](const dvec3& p) { return vec3(data_.space.apply(p)); });
@@ -41,13 +71,7 @@ class MeshPacker {
     const auto firstNormal = static_cast<std::uint32_t>(data_.normals.size());
     if (smooth)
       for (const dvec3& n : mesh.normals) data_.normals.emplace_back(vec3(n), 0.0F);
-    const auto material =
-        static_cast<std::uint32_t>(hasTextures_ ? data_.textures.size() : data_.materials.size());
-    if (hasTextures_)
-      textures_.addMaterial(mesh, nextId_);
-    else if (hasAlbedos_)
-      data_.materials.push_back({vec3(mesh.bsdf.albedo), 0.0F});
-
+    const std::uint32_t material = addMaterial(mesh);
     for (const glm::uvec3 given : mesh.triangles) {
       glm::uvec3 t = given;
       const std::uint32_t flipped = sortCorners(t, positions) ? 1 : 0;
@@ -119,12 +143,17 @@ shared::Light lightData(const PointLight& light, const Normalisation& space) {
 
 Normalisation normalisationOf(const Scene& scene) {
   dvec3 lo(std::numeric_limits<double>::infinity()), hi(-lo);
-  for (const Mesh& mesh : scene.meshes)
+  for (const Mesh& mesh : scene.meshes) {
+    if (mesh.sphere) {
+      lo = glm::min(lo, mesh.sphere->centre - mesh.sphere->radius);
+      hi = glm::max(hi, mesh.sphere->centre + mesh.sphere->radius);
+    }
     for (const glm::uvec3& t : mesh.triangles)
       for (int corner = 0; corner < 3; ++corner) {
         lo = glm::min(lo, mesh.positions[t[corner]]);
         hi = glm::max(hi, mesh.positions[t[corner]]);
       }
+  }
   if (lo.x > hi.x) return {};
   Normalisation space;
   space.centre = lo * 0.5 + hi * 0.5;

@@ -131,7 +131,8 @@ ScenePlan planScene(const Scene& scene, const RenderOptions& options,
   for (const Shown& shown : shownBeside(options.more, options.layers))
     noteShown(shown.integrator, scene, facts);
   for (const Mesh& mesh : scene.meshes) {
-    facts.triangles += mesh.triangles.size();
+    facts.triangles += mesh.primitives();
+    facts.spheres += mesh.sphere ? 1 : 0;
     facts.normals += mesh.normals.size();
     facts.uvs += mesh.uvs.size();
   }

@@ -15,7 +15,7 @@ constexpr std::uint32_t kLikelyStack = 64;
 /// The stack never holds more subtrees than there are triangles.
 std::uint32_t likelyStack(const Scene& scene) {
   std::uint64_t triangles = 0;
-  for (const Mesh& mesh : scene.meshes) triangles += mesh.triangles.size();
+  for (const Mesh& mesh : scene.meshes) triangles += mesh.primitives();
   return static_cast<std::uint32_t>(
       std::clamp<std::uint64_t>((triangles + 7) / 8 * 8, 8, kLikelyStack));
 }
@@ -90,6 +90,7 @@ SpecConstants specialise(const Scene& scene, Integrator shown, const RenderOptio
   constants[shared::SPEC_HITS] = hits ? 1 : 0;
   constants[shared::SPEC_DARK_SIDES] = 0;
   constants[shared::SPEC_INDEX_BYTES] = indexBytes(scene, normals);
+  constants[shared::SPEC_SPHERES] = hits && hasSpheres(scene) ? 1 : 0;
   return constants;
 }
 
@@ -117,6 +118,7 @@ SpecConstants generalise(SpecConstants constants, std::uint32_t which) {
   any[shared::SPEC_BACKGROUND] = shared::BACKGROUND_IMAGE;
   any[shared::SPEC_HITS] = any[shared::SPEC_DARK_SIDES] = 1;
   any[shared::SPEC_INDEX_BYTES] = 4;
+  any[shared::SPEC_SPHERES] = 1;
   for (std::uint32_t c = 0; c < constants.size(); ++c)
     if ((which >> c & 1U) != 0) constants[c] = any[c];
   return constants;

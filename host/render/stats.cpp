@@ -34,6 +34,7 @@ void Stats::describe(const SceneData& data) {
   if (c[shared::SPEC_TEXTURES] == 0) leftOut.emplace_back("textures: none needed");
   if (c[shared::SPEC_BACKGROUND] == shared::BACKGROUND_BLACK)
     leftOut.emplace_back("background: none needed");
+  if (c[shared::SPEC_SPHERES] == 0) leftOut.emplace_back("spheres: none needed");
   if (c[shared::SPEC_JUMP_LEVELS] < 3)
     leftOut.push_back(fmt::format("sampler tables: {} of 3 needed", c[shared::SPEC_JUMP_LEVELS]));
 }

@@ -126,6 +126,10 @@ std::string describeTexture(const Texture& texture) {
                      triple(texture.colors[0]), place);
 }
 
+std::string describeAlbedo(const Diffuse& bsdf) {
+  return bsdf.texture ? describeTexture(*bsdf.texture) : triple(bsdf.albedo);
+}
+
 std::string describeEnvironment(const std::optional<Environment>& environment) {
   if (!environment) return "null";
   const std::string key = "    toWorld = ";
@@ -136,11 +140,15 @@ std::string describeEnvironment(const std::optional<Environment>& environment) {
 }
 
 std::string describeMesh(const Mesh& mesh) {
+  if (mesh.sphere)
+    return fmt::format(
+        "    Sphere[\n      center = {},\n      radius = {:g},\n"
+        "      bsdf = Diffuse[\n        albedo = {}\n      ],\n      emitter = null\n    ]",
+        triple(mesh.sphere->centre), mesh.sphere->radius, describeAlbedo(mesh.bsdf));
   return fmt::format(
       "    Mesh[\n      name = \"{}\",\n      vertexCount = {},\n      triangleCount = {},\n"
       "      bsdf = Diffuse[\n        albedo = {}\n      ],\n      emitter = null\n    ]",
-      mesh.name, mesh.positions.size(), mesh.triangles.size(),
-      mesh.bsdf.texture ? describeTexture(*mesh.bsdf.texture) : triple(mesh.bsdf.albedo));
+      mesh.name, mesh.positions.size(), mesh.triangles.size(), describeAlbedo(mesh.bsdf));
 }
 
 template <class T>

@@ -25,7 +25,7 @@ struct MeshFile {
 std::ptrdiff_t place(const TextSource& source, const MeshDraft& mesh,
                      std::map<std::string, std::size_t>& known, std::vector<MeshFile>& files,
                      Diagnostics& diagnostics) {
-  if (mesh.filename.empty()) return -1;  // an error of its own
+  if (mesh.filename.empty()) return -1;  // a sphere, or an error of its own
   const std::string path = findFile(source.file(), mesh.filename);
   if (path.empty()) {
     diagnostics.error(mesh.offset,
@@ -85,6 +85,11 @@ void loadMeshes(const TextSource& source, Draft& draft, Diagnostics& diagnostics
       const MeshDraft& from = draft.meshes[i];
       meshes[i].name = from.filename;
       meshes[i].bsdf = from.bsdf;
+      meshes[i].sphere = from.sphere;
+      if (from.sphere) {
+        finite[i] = 1;
+        continue;
+      }
       const obj::ObjData& data = files[static_cast<std::size_t>(fileOf[i])].loaded.data;
       finite[i] = obj::toWorld(data, from.toWorld, meshes[i]) ? 1 : 0;
     }

@@ -145,7 +145,15 @@ void buildObj(const Properties& given, std::string_view, Draft& draft) {
     name = given.text("filename");
     if (name.empty()) given.error("filename", "filename is empty, expected an OBJ file");
   }
-  draft.meshes.push_back({given.offset(), name, given.transform("toWorld"), {}, 0});
+  draft.meshes.push_back({given.offset(), name, given.transform("toWorld"), {}, 0, {}});
+}
+
+constexpr std::array kSphere = {PropertyRule{"center", Point, "0 0 0"},
+                                PropertyRule{"radius", Float, "1"}};
+
+void buildSphere(const Properties& given, std::string_view, Draft& draft) {
+  const Sphere sphere{given.triple("center"), positive(given, "radius")};
+  draft.meshes.push_back({given.offset(), "", glm::dmat4(1.0), {}, 0, sphere});
 }
 
 constexpr std::array kDiffuse = {PropertyRule{"albedo", Color, "0.5 0.5 0.5"}};
@@ -188,6 +196,7 @@ constexpr std::array kObjects = {
     ObjectRule{"rfilter", "tent", {}, buildTent},
     ObjectRule{"rfilter", "box", {}, buildBox},
     ObjectRule{"mesh", "obj", kObj, buildObj},
+    ObjectRule{"mesh", "sphere", kSphere, buildSphere},
     ObjectRule{"bsdf", "diffuse", kDiffuse, buildDiffuse},
     ObjectRule{"emitter", "pointlight", kPointLight, buildPointLight},
     ObjectRule{"emitter", "point", kPowerLight, buildPowerLight},

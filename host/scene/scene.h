@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
@@ -66,15 +67,25 @@ struct PointLight {
   glm::dvec3 radiance{1.0};
 };
 
+/// In world space; its normal points outwards.
+struct Sphere {
+  glm::dvec3 centre{0.0};
+  double radius = 1.0;
+};
+
 /// Triangles in world space. Attributes are empty or hold one entry a vertex.
 struct Mesh {
-  std::string name;  ///< the file name as the scene gives it
+  std::string name;              ///< the file name as the scene gives it
+  std::optional<Sphere> sphere;  ///< instead of triangles
   std::vector<glm::dvec3> positions;
   std::vector<glm::dvec3> normals;  ///< unit length
   std::vector<glm::dvec2> uvs;
   std::vector<glm::uvec3> triangles;   ///< indices into the above, in file order
   std::uint64_t droppedTriangles = 0;  ///< zero-area triangles left out at load
   Diffuse bsdf;
+
+  /// Triangles and spheres, which are numbered together.
+  std::size_t primitives() const { return sphere ? 1 : triangles.size(); }
 };
 
 /// A scene as plain data: no Vulkan, no file handles.
@@ -90,6 +101,11 @@ struct Scene {
   std::vector<PointLight> lights;
   std::optional<Environment> environment;
 };
+
+inline bool hasSpheres(const Scene& scene) {
+  return std::any_of(scene.meshes.begin(), scene.meshes.end(),
+                     [](const Mesh& mesh) { return mesh.sphere.has_value(); });
+}
 
 /// What the command line changes in a scene before it is checked.
 struct SceneOverrides {

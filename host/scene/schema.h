@@ -1,5 +1,6 @@
 #pragma once
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,7 @@ struct MeshDraft {
   glm::dmat4 toWorld{1.0};
   Diffuse bsdf;
   std::size_t textureOffset = 0;  ///< of its texture's tag
+  std::optional<Sphere> sphere;   ///< then there is no file
 };
 
 /// A scene while it is read.

@@ -45,7 +45,8 @@ LAVER_CONST uint SPEC_BACKGROUND = 12;   // BACKGROUND_*
 LAVER_CONST uint SPEC_HITS = 13;         // what rays hit or miss shows; else none is traced
 LAVER_CONST uint SPEC_DARK_SIDES = 14;   // shadow rays even where n.l <= 0: never needed
 LAVER_CONST uint SPEC_INDEX_BYTES = 15;  // of an index in Attributes: 1, 2 or 4; the host's alone
-LAVER_CONST uint SPEC_CONSTANTS = 16;
+LAVER_CONST uint SPEC_SPHERES = 16;      // some mesh is a sphere; names the kernel
+LAVER_CONST uint SPEC_CONSTANTS = 17;
 
 LAVER_CONST uint FILTER_GAUSSIAN = 0;
 LAVER_CONST uint FILTER_MITCHELL = 1;
@@ -113,6 +114,8 @@ struct Node {
 
 // A triangle in the order of the leaves. Its corners are sorted, so that copies of one triangle are
 // met at the same depth to the bit, however their files list them. 3 texels.
+// Or a sphere, for which `flipped` is IS_SPHERE: `a` is its centre, b.x its radius.
+LAVER_CONST uint IS_SPHERE = 2;
 struct Triangle {
   vec3 a;
   uint id;  // its number in file order over all meshes
@@ -224,8 +227,8 @@ struct Pass {
 
 // Compensated sums: value = sum + rest. rgb weighted radiance, a weight. From centres.comp: sum =
 // position in normalised space, distance in scene units, 0 for no hit; rest = weights of the second
-// and third corner as stored, number of the triangle as its low and its high 16 bits, which floats
-// hold exactly.
+// and third corner as stored, or a sphere's u and v; number of the triangle as its low and its high
+// 16 bits, which floats hold exactly.
 struct FilmPixel {
   vec4 sum;
   vec4 rest;

@@ -46,6 +46,8 @@ EmbreeDevice::EmbreeDevice(const std::string& config) {
 EmbreeDevice::~EmbreeDevice() { rtcReleaseDevice(device_); }
 
 EmbreeMesh::EmbreeMesh(const Scene& scene) {
+  if (hasSpheres(scene))
+    throw Error(ExitCode::Scene, scene.file + ": Embree's side has no spheres");
   const Normalisation space = normalisationOf(scene);
   for (const Mesh& mesh : scene.meshes) {
     const auto first = static_cast<std::uint32_t>(positions.size());

@@ -37,6 +37,7 @@ constexpr std::array kConstants = {
     Constant{"textures", 1U << shared::SPEC_TEXTURES},
     Constant{"pictures", 1U << shared::SPEC_IMAGES},
     Constant{"background", 1U << shared::SPEC_BACKGROUND},
+    Constant{"spheres", 1U << shared::SPEC_SPHERES},
     Constant{"all of them", kAllConstants}};
 
 struct Side {

@@ -89,7 +89,7 @@ void expectLayersOfTheReference(const Scene& scene) {
 
 TEST(Layers, EqualTheReference) {
   for (const char* name : {"cornell-two-lights.xml", "mirrored-instances.xml", "curved-normals.xml",
-                           "clipped.xml", "bunny-normals.xml"}) {
+                           "clipped.xml", "bunny-normals.xml", "spheres.xml"}) {
     SCOPED_TRACE(name);
     expectLayersOfTheReference(smallScene(name, 96, 3));
   }

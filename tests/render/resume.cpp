@@ -203,6 +203,17 @@ TEST_F(Resume, AnotherSceneOrCountIsRefused) {
   other.filter.stddev = 0.6;
   EXPECT_EQ(reasonOf(scene, other, Keep::Always), changed);
   EXPECT_EQ(reasonOf(scene, scene, Keep::Always), "");
+
+  Scene ball = scene;
+  ball.meshes.emplace_back().sphere = Sphere{glm::dvec3(0.0, 0.4, 0.0), 0.2};
+  EXPECT_EQ(reasonOf(scene, ball, Keep::Always), changed);
+  other = ball;
+  other.meshes.back().sphere->centre.y += 1e-6;
+  EXPECT_EQ(reasonOf(ball, other, Keep::Always), changed);
+  other = ball;
+  other.meshes.back().sphere->radius += 1e-6;
+  EXPECT_EQ(reasonOf(ball, other, Keep::Always), changed);
+  EXPECT_EQ(reasonOf(ball, ball, Keep::Always), "");
 }
 
 }  // namespace

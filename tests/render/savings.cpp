@@ -64,15 +64,14 @@ TEST_P(Savings, KeepTheBits) {
 
 INSTANTIATE_TEST_SUITE_P(
     Each, Savings,
-    testing::Values(Saving{"Stack", shared::SPEC_STACK}, Saving{"Normals", shared::SPEC_NORMALS},
-                    Saving{"Albedos", shared::SPEC_ALBEDOS}, Saving{"Lights", shared::SPEC_LIGHTS},
-                    Saving{"JumpLevels", shared::SPEC_JUMP_LEVELS},
-                    Saving{"Filter", shared::SPEC_FILTER}, Saving{"Apron", shared::SPEC_APRON},
-                    Saving{"Textures", shared::SPEC_TEXTURES},
-                    Saving{"Images", shared::SPEC_IMAGES},
-                    Saving{"Background", shared::SPEC_BACKGROUND},
-                    Saving{"Hits", shared::SPEC_HITS}, Saving{"DarkSides", shared::SPEC_DARK_SIDES},
-                    Saving{"IndexBytes", shared::SPEC_INDEX_BYTES}),
+    testing::Values(
+        Saving{"Stack", shared::SPEC_STACK}, Saving{"Normals", shared::SPEC_NORMALS},
+        Saving{"Albedos", shared::SPEC_ALBEDOS}, Saving{"Lights", shared::SPEC_LIGHTS},
+        Saving{"JumpLevels", shared::SPEC_JUMP_LEVELS}, Saving{"Filter", shared::SPEC_FILTER},
+        Saving{"Apron", shared::SPEC_APRON}, Saving{"Textures", shared::SPEC_TEXTURES},
+        Saving{"Images", shared::SPEC_IMAGES}, Saving{"Background", shared::SPEC_BACKGROUND},
+        Saving{"Hits", shared::SPEC_HITS}, Saving{"DarkSides", shared::SPEC_DARK_SIDES},
+        Saving{"IndexBytes", shared::SPEC_INDEX_BYTES}, Saving{"Spheres", shared::SPEC_SPHERES}),
     [](const auto& instance) { return instance.param.name; });
 
 TEST(WithoutALight, NoTreeIsUploadedAndThePictureIsBlack) {

@@ -116,6 +116,16 @@ TEST(ScenePlan, TellsOfTexturesBackgroundAndLayers) {
   EXPECT_NE(line(plan, "vertex normals").decision, "left out");
 }
 
+TEST(ScenePlan, TellsOfSpheres) {
+  const Scene scene = smallScene("spheres.xml", 16, 1);
+  const ScenePlan plan = planScene(scene, {}, "", cpu());
+  EXPECT_EQ(line(plan, "spheres").decision, "5 spheres");
+  EXPECT_EQ(plan.figures["triangles"], 1157U);
+  EXPECT_EQ(
+      line(planScene(smallScene("bunny-depth.xml", 16, 1), {}, "", cpu()), "spheres").decision,
+      "left out");
+}
+
 TEST_F(CommandLine, PlanPrintsTextAndJsonAndWritesNothing) {
   write("test.xml", kFirstScene);
   const Outcome text = laver("plan test.xml --device cpu --spp 7");

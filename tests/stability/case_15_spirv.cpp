@@ -32,9 +32,12 @@ std::vector<std::string> productionKernels() {
        std::filesystem::directory_iterator(std::string(LAVER_SOURCE_DIR) + "/shaders")) {
     if (entry.path().extension() != ".comp") continue;
     const std::string stem = entry.path().stem();
-    for (const char* suffix : {"_lane", "_packet", "_textured_lane", "_textured_packet"})
-      if (std::filesystem::exists(std::string(LAVER_SPIRV_DIR) + "/" + stem + suffix + ".spv"))
-        names.push_back(stem + suffix);
+    for (const char* variant : {"", "_textured", "_spheres", "_textured_spheres"})
+      for (const char* traversal : {"_lane", "_packet"}) {
+        const std::string name = stem + variant + traversal;
+        if (std::filesystem::exists(std::string(LAVER_SPIRV_DIR) + "/" + name + ".spv"))
+          names.push_back(name);
+      }
   }
   std::sort(names.begin(), names.end());
   return names;

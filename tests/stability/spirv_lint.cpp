@@ -25,6 +25,11 @@ const std::map<std::string, Precise> kPrecise = {
     {"pointAt", {12, false}},  // point.h: weights and position; the rest are calls and quotients
     {"accurateDifference", {19, true}},  // point.h
     {"shadingNormal", {5, true}},
+    {"chordOf", {29, false}},  // sphere.h; the rest are scalings by a power of two
+    {"endsOf", {3, true}},
+    {"plus", {7, true}},  // sphere.h: two-sum is all rounding errors
+    {"plusProduct", {7, true}},
+    {"ballPointAt", {28, false}},     // sphere.h; Newton's steps may round as they like
     {"blocksWay", {1, true}},         // triangle.h
     {"cosSinOfTurn", {24, false}},    // direction.h; not precise: which quarter turn is taken out
     {"sphereDirection", {7, true}},   // direction.h

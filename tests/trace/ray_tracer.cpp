@@ -1,5 +1,6 @@
 #include "trace/ray_tracer.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstring>
@@ -33,10 +34,14 @@ std::vector<VkDescriptorType> testBindingTypes() {
   return types;
 }
 
-Kernel kernelOf(const Device& device, const Bindings& bindings, const std::string& name,
-                std::uint32_t stack) {
+Kernel kernelOf(const Device& device, const Bindings& bindings, const std::string& query,
+                const std::string& traversal, const Bvh& bvh) {
   std::array<std::uint32_t, shared::SPEC_CONSTANTS> constants{};
-  constants[shared::SPEC_STACK] = stack;
+  constants[shared::SPEC_STACK] = bvh.stack;
+  const bool spheres =
+      std::any_of(bvh.triangles.begin(), bvh.triangles.end(),
+                  [](const shared::Triangle& t) { return t.flipped == shared::IS_SPHERE; });
+  const std::string name = query + (spheres ? "_spheres_" : "_") + traversal;
   return {device, bindings, traceSpirvOf(name), constants, sizeof(shared::Pass)};
 }
 
@@ -49,8 +54,8 @@ struct RayTracer::Impl {
         params(d, "parameters", Buffer::Use::Uniform, sizeof(shared::Params)),
         status(d, "status", Buffer::Use::Storage, sizeof(shared::Status)),
         output(d, "hits", Buffer::Use::Storage, kRays * sizeof(TestHit)),
-        closest(kernelOf(d, bindings, "closest_" + traversal, bvh.stack)),
-        visible(kernelOf(d, bindings, "visible_" + traversal, bvh.stack)) {
+        closest(kernelOf(d, bindings, "closest", traversal, bvh)),
+        visible(kernelOf(d, bindings, "visible", traversal, bvh)) {
     shared::Params values{};
     values.film.w = bvh.root;
     params.upload(std::as_bytes(std::span(&values, 1)));

@@ -18,7 +18,7 @@ struct TestRay {
 };
 
 /// `id` is shared::NO_HIT and t the ray's tmax where nothing was met. u and v are the weights of
-/// the corners b and c of the shared::Triangle of that id, whose corners are sorted.
+/// the corners b and c of the shared::Triangle of that id, whose corners are sorted; 0 on a sphere.
 struct TestHit {
   float t, u, v;
   std::uint32_t id;

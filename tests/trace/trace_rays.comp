@@ -39,13 +39,16 @@ void main() {
   if (loopsWereCut()) atomicAdd(status.incomplete, 1u);
 }
 #else
-vec4 hitAt(vec3 origin, vec3 direction, uint slot) {
+vec4 hitAt(vec3 origin, vec3 direction, float tmin, uint slot) {
   const int texel = int(slot * 3u);
   const uvec4 first = texelFetch(triangleTexels, texel);
   const vec3 a = texelVec3(first);
   const vec3 b = texelVec3(texelFetch(triangleTexels, texel + 1));
-  const vec3 c = texelVec3(texelFetch(triangleTexels, texel + 2));
-  const Point p = pointAt(origin, direction, a, b, c, false);
+  const uvec4 last = texelFetch(triangleTexels, texel + 2);
+  Point p = pointAt(origin, direction, a, b, texelVec3(last), false);
+#ifdef LAVER_SPHERES
+  if (last.w == IS_SPHERE) p = ballPointAt(origin, direction, tmin, a, b.x);
+#endif
   return vec4(p.t, p.weights.yz, uintBitsToFloat(first.w));
 }
 
@@ -65,7 +68,8 @@ void main() {
   FOR_RAYS (uint r = 0u; r < R; ++r) {
     if (!rays.live[r]) continue;
     vec4 result = vec4(rays.tmax[r], 0.0, 0.0, uintBitsToFloat(NO_HIT));
-    if (hits.slot[r] != NO_HIT) result = hitAt(rays.origin, rays.direction[r], hits.slot[r]);
+    if (hits.slot[r] != NO_HIT) result = 
+          hitAt(rays.origin, rays.direction[r], rays.tmin[r], hits.slot[r]);
     hitOf[numberOf(r)] = result;
   }
   if (loopsWereCut()) atomicAdd(status.incomplete, 1u);

@@ -72,6 +72,18 @@ TEST(Specialise, WithoutALightNothingIsTraced) {
   EXPECT_EQ(hits(Integrator::DirectWhitted), 1U);
 }
 
+TEST(Specialise, SpheresAreTestedWhereThereAreAnyAndRaysAreTraced) {
+  Scene scene;
+  scene.meshes.resize(9);
+  const auto spheres = [&] { return specialise(scene, {})[shared::SPEC_SPHERES]; };
+  EXPECT_EQ(spheres(), 0U);
+  for (Mesh& mesh : scene.meshes) mesh.sphere = Sphere();
+  EXPECT_EQ(spheres(), 1U);
+  EXPECT_EQ(specialise(scene, {})[shared::SPEC_STACK], 16U);
+  scene.integrator = Integrator::DirectWhitted;  // without a light
+  EXPECT_EQ(spheres(), 0U);
+}
+
 TEST(Specialise, OnlyTheConstantsNamedAreMadeGeneric) {
   const SpecConstants needed = specialise(Scene{}, {});
   for (std::uint32_t c = 0; c < shared::SPEC_CONSTANTS; ++c) {

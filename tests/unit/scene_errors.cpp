@@ -219,8 +219,9 @@ const std::vector<Case> kLacking = {
     {"rfilter", camera("\n<rfilter type=\"gausian\"/>"),
      "f.xml:3:2: error: laver has no rfilter of type \"gausian\": expected \"gaussian\", "
      "\"mitchell\", \"tent\" or \"box\" (nearest: \"gaussian\")"},
-    {"sphere", scene("<mesh type=\"sphere\"><point name=\"center\" value=\"0 0 0\"/></mesh>"),
-     "f.xml:2:2: error: laver has no mesh of type \"sphere\": expected \"obj\""},
+    {"cylinder", scene("<mesh type=\"cylinder\"><point name=\"p0\" value=\"0 0 0\"/></mesh>"),
+     "f.xml:2:2: error: laver has no mesh of type \"cylinder\": expected \"obj\" or \"sphere\" "
+     "(nearest: \"sphere\")"},
     {"bsdf", scene(mesh("\n<bsdf type=\"disney\"/>"), "direct_whitted"),
      "f.xml:3:2: error: laver has no bsdf of type \"disney\": expected \"diffuse\""},
     {"area_light", scene(mesh("\n<emitter type=\"area\"/>"), "direct_whitted"),

@@ -2,6 +2,7 @@
 
 #include "chart/methods/judge.h"
 #include "chart/numbers.h"
+#include "core/error.h"
 #include "render/scene_data.h"
 
 namespace laver::chart {
@@ -36,6 +37,8 @@ std::vector<MethodRay> cameraRays(const SceneData& data) {
 
 std::vector<MethodPoint> chartMethods(const Scene& scene, const std::string& device,
                                       std::size_t runs, const std::function<bool()>& stop) {
+  if (hasSpheres(scene))
+    throw Error(ExitCode::Usage, "its methods meet triangles, and the scene has a sphere");
   const SceneData data = packScene(scene, {}, specialise(scene, {}));
   if (data.bvh.triangles.empty()) return {};
   MethodTracer tracer(device, data.bvh);

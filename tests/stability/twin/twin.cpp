@@ -25,8 +25,15 @@ TestHit closestOne(const Bvh& bvh, const TestRay& r) {
         const vec3 pa = permute(shear, t.a - r.origin), pb = permute(shear, t.b - r.origin);
         const vec3 pc = permute(shear, t.c - r.origin);
         const Edges e = edgesOf(shear, pa, pb, pc);
-        const float depth = depthOf(e, pa.z, pb.z, pc.z);
-        if (e.inside && depth >= first && depth <= last &&
+        float depth = depthOf(e, pa.z, pb.z, pc.z);
+        bool met = e.inside;
+        if (t.flipped == IS_SPHERE) {
+          const vec2 ends = endsOf(permute(shear, t.a).z, t.b.x, permute(shear, r.origin).z);
+          const Chord chord = chordOf(shear, pa, ends, t.b.x);
+          depth = depthOn(chord, first);
+          met = chord.met;
+        }
+        if (met && depth >= first && depth <= last &&
             (depth < last || best == nullptr || t.id < best->id)) {
           last = depth;
           best = &t;
@@ -34,7 +41,10 @@ TestHit closestOne(const Bvh& bvh, const TestRay& r) {
         return false;
       });
   if (best == nullptr) return {r.tmax, 0.0F, 0.0F, NO_HIT};
-  const Point p = pointAt(r.origin, r.direction, best->a, best->b, best->c, best->flipped != 0);
+  const Point p =
+      best->flipped == IS_SPHERE
+          ? ballPointAt(r.origin, r.direction, r.tmin, best->a, best->b.x)
+          : pointAt(r.origin, r.direction, best->a, best->b, best->c, best->flipped != 0);
   return {p.t, p.weights.y, p.weights.z, best->id};
 }
 
@@ -51,6 +61,12 @@ bool visibleOne(const Bvh& bvh, vec3 light, vec3 point) {
   walk(
       bvh, direction, end, [&](vec3 lo, vec3 hi) { return boxSpan(ray, 0.0F, lo, hi); },
       [&](const Triangle& t, float&) {
+        if (t.flipped == IS_SPHERE) {
+          const vec2 ends = endsOf(permute(shear, t.a).z, t.b.x, permute(shear, point).z);
+          blocked = ballBlocks(shear, end, permute(shear, t.a - point),
+                               permute(shear, light) - permute(shear, t.a), ends, t.b.x);
+          return blocked;
+        }
         const vec3 n = permute(shear, crossProduct(t.b - t.a, t.c - t.a));
         const float side = dotProduct(n, permute(shear, light) - permute(shear, t.a));
         blocked = blocks(shear, end, n, side, permute(shear, t.a - point),
@@ -66,6 +82,7 @@ void visible(const Bvh& bvh, vec3 light, std::span<const vec3> points, std::uint
 }
 
 Point point(vec3 origin, vec3 direction, const Triangle& t) {
+  if (t.flipped == IS_SPHERE) return ballPointAt(origin, direction, 0.0F, t.a, t.b.x);
   return pointAt(origin, direction, t.a, t.b, t.c, t.flipped != 0);
 }
 

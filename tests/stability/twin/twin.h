@@ -5,7 +5,7 @@
 
 #include "bvh/bvh.h"
 #include "shared/box.h"
-#include "shared/point.h"
+#include "shared/sphere.h"
 #include "trace/ray_tracer.h"
 
 namespace laver::stability {

@@ -1,0 +1,52 @@
+#include "reference/sphere.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace laver::reference {
+
+namespace {
+
+using LongVec = glm::vec<3, long double, glm::defaultp>;
+
+// The two t of the line's crossings in order; none if it passes by.
+std::optional<std::pair<long double, long double>> crossings(const Ball& ball, const Ray& ray) {
+  const LongVec d(ray.direction), f = LongVec(ray.origin) - LongVec(ball.centre);
+  const long double a = glm::dot(d, d), b = -glm::dot(f, d), r = ball.radius;
+  const LongVec nearest = f + b / a * d;
+  const long double rest = r * r - glm::dot(nearest, nearest);
+  if (!(rest >= 0.0L)) return {};
+  const long double q = b + std::copysign(std::sqrt(a * rest), b);
+  if (q == 0.0L) return std::pair(0.0L, 0.0L);
+  const long double length = std::sqrt(glm::dot(f, f));
+  const long double t0 = (length - r) * (length + r) / q, t1 = q / a;
+  return t0 < t1 ? std::pair(t0, t1) : std::pair(t1, t0);
+}
+
+}  // namespace
+
+std::optional<BallHit> closest(const Ball& ball, const Ray& ray, double tmin, double tmax) {
+  const auto both = crossings(ball, ray);
+  if (!both) return {};
+  const long double t = both->first >= tmin ? both->first : both->second;
+  if (!(t >= tmin && t <= tmax)) return {};
+  const LongVec p = LongVec(ray.origin) - LongVec(ball.centre) + t * LongVec(ray.direction);
+  return BallHit{static_cast<double>(t), glm::dvec3(p / std::sqrt(glm::dot(p, p)))};
+}
+
+bool crosses(const Ball& ball, const glm::dvec3& from, const glm::dvec3& to) {
+  if (from == to) return false;
+  const auto both = crossings(ball, {from, to - from});
+  const auto inside = [](long double t) { return t > 0.0L && t < 1.0L; };
+  return both && (inside(both->first) || inside(both->second));
+}
+
+glm::dvec2 uvOf(const glm::dvec3& normal) {
+  constexpr double pi = std::numbers::pi;
+  return {0.5 + std::atan2(normal.y, normal.x) / (2.0 * pi),
+          0.5 + std::asin(std::clamp(normal.z, -1.0, 1.0)) / pi};
+}
+
+}  // namespace laver::reference
