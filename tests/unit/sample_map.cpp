@@ -72,6 +72,28 @@ TEST(SampleMap, AboveWhiteTheErrorIsRelative) {
   EXPECT_EQ(map.pixel(20, 20), 32U);
 }
 
+TEST(SampleMap, TheCountsOfACropAreThoseOfTheWhole) {
+  std::mt19937 random(3);
+  std::vector<Image> pilots(kPilots, rgbImage(kArea.x1, kArea.y1));
+  for (int speck = 0; speck < 60; ++speck)
+    pilots[0].pixels[random() % pilots[0].pixels.size()] = 0.1F * static_cast<float>(speck % 8);
+  const SampleMap whole = decideSamples(pilots, kArea, 0.02, 256, 1);
+  for (int y = 0; y < 64; y += 3)
+    for (int x = 0; x < 64; x += 3) {
+      const Crop area = pilotArea({x, y, x + 1, y + 1}, kArea.x1, kArea.y1);
+      std::vector<Image> parts;
+      for (const Image& pilot : pilots) {
+        Image& part = parts.emplace_back(rgbImage(area.x1 - area.x0, area.y1 - area.y0));
+        for (int v = area.y0; v < area.y1; ++v)
+          for (int u = area.x0; u < area.x1; ++u)
+            for (std::size_t c = 0; c < 3; ++c)
+              part.at(u - area.x0, v - area.y0, c) = pilot.at(u, v, c);
+      }
+      EXPECT_EQ(decideSamples(parts, area, 0.02, 256, 1).pixel(x, y), whole.pixel(x, y))
+          << x << ' ' << y;
+    }
+}
+
 TEST(SampleMap, CountsOfARegionAreThoseOfTheCellsThatItTouches) {
   SampleMap map(kArea, 4);
   map.cell(2, 1) = 20;
