@@ -77,7 +77,8 @@ std::vector<Choice> choicesFor(const Scene& scene, const std::vector<Program>& p
       for (const std::string& traversal : traversals)
         addSeries({"laver", "independent", filter.kind, traversal, false}, mostSamples, choices);
     for (const Program& program : programs)
-      addSeries({program.name, "independent", filter.kind, "", false}, mostSamples, choices);
+      for (const SamplerRow& sampler : kSamplers)
+        addSeries({program.name, sampler.name, filter.kind, "", false}, mostSamples, choices);
   }
   return choices;
 }

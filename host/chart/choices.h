@@ -35,8 +35,8 @@ struct Program {
 };
 
 /// The combinations that make sense for a scene: every sampler with every filter; with the
-/// scene's own filter adaptively too, and by the traversal that the device would not take; each of `programs` with the
-/// filters that are charted. `mostSamples` bounds the samples a pixel.
+/// scene's own filter adaptively too, and by the traversal that the device would not take; each of
+/// `programs` with every sampler and filter. `mostSamples` bounds the samples a pixel.
 std::vector<Choice> choicesFor(const Scene& scene, const std::vector<Program>& programs,
                                const std::vector<std::string>& traversals,
                                std::uint32_t mostSamples);

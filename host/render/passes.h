@@ -41,6 +41,8 @@ class Passes {
   /// it was stopped before.
   std::uint32_t traceCentres(const Crop& band);
 
+  /// What is traced of the film to reconstruct a band.
+  glm::uvec4 regionAround(const Crop& band) const;
   /// New parameters for the passes that follow.
   void upload(const shared::Params& params) { onDevice_.upload(params); }
   std::uint64_t dropped() const { return status_.dropped; }
@@ -49,7 +51,6 @@ class Passes {
  private:
   /// Where cells have counts of their own in the present picture.
   bool mapped() const { return map_ != nullptr && constants_[shared::SPEC_ADAPTIVE] != 0; }
-  glm::uvec4 regionAround(const Crop& band) const;
   void compileTrace();
   void tracePass(const shared::Pass& pass);
   void dispatchPass(shared::Pass pass);

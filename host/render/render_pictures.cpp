@@ -117,7 +117,7 @@ class Render {
   /// stopped.
   std::optional<SampleMap> runPilots() {
     const Crop area = plan_.core;
-    const SampleMap one(area, 1);
+    const SampleMap one(cropOf(passes_.regionAround(area)), 1);
     passes_.use(&one);
     std::vector<Image> pilots;
     shared::Params params = data_.params;

@@ -14,6 +14,9 @@ constexpr int kCell = SampleMap::kCell;
 constexpr int kAround = 1;
 /// A cell gets at least this share of a neighbour's samples.
 constexpr std::uint32_t kShareOfNeighbours = 4;
+/// One sample will do where its error is below a sixth of what is wanted. Most of a picture may be
+/// such places, and their noise, which four of `sobol` take away, is to count for little in it.
+constexpr double kOne = 1.0 / 36.0;
 
 /// Mean over the pixels of `window` of the pilots' variance, relative to the squared mean where
 /// that is above 1: of the channel where it is largest.
@@ -44,8 +47,31 @@ double varianceIn(std::span<const Image> pilots, Crop area, Crop window) {
 }
 
 std::uint32_t rounded(double samples, std::uint32_t most) {
+  if (samples <= kOne) return 1;
   const double steps = std::ceil(std::min(samples, static_cast<double>(most)) / shared::CELL_STEP);
   return std::clamp(static_cast<std::uint32_t>(steps) * shared::CELL_STEP, shared::CELL_STEP, most);
+}
+
+int down(int x, int step) { return x / step * step; }
+
+/// Grown to where blocks begin.
+Crop fromBlocks(Crop pixels) {
+  return {down(pixels.x0, kBlock * kCell), down(pixels.y0, kBlock * kCell), pixels.x1, pixels.y1};
+}
+
+/// One sample a pixel is for whole blocks.
+void evenBlocks(SampleMap& map) {
+  const Crop cells = map.cells();
+  for (int y = cells.y0; y < cells.y1; y += kBlock)
+    for (int x = cells.x0; x < cells.x1; x += kBlock) {
+      const int right = std::min(x + kBlock, cells.x1), below = std::min(y + kBlock, cells.y1);
+      std::uint32_t most = 0;
+      for (int v = y; v < below; ++v)
+        for (int u = x; u < right; ++u) most = std::max(most, map.cell(u, v));
+      for (int v = y; v < below; ++v)
+        for (int u = x; u < right; ++u)
+          if (most > 1) map.cell(u, v) = std::max(map.cell(u, v), shared::CELL_STEP);
+    }
 }
 
 }  // namespace
@@ -56,7 +82,7 @@ Crop cellsOf(Crop pixels) {
 }
 
 SampleMap::SampleMap(Crop area, std::uint32_t count)
-    : cells_(cellsOf(area)),
+    : cells_(cellsOf(fromBlocks(area))),
       counts_(static_cast<std::size_t>(cells_.x1 - cells_.x0) *
                   static_cast<std::size_t>(cells_.y1 - cells_.y0),
               count) {}
@@ -86,11 +112,12 @@ std::vector<shared::Count> SampleMap::counts(glm::uvec4 region) const {
 }
 
 Crop pilotArea(Crop area, int width, int height) {
-  // The neighbours of its cells, and the pixels around those.
-  const Crop c = cellsOf(area);
-  const int margin = kCell + kAround;
-  return {std::max(c.x0 * kCell - margin, 0), std::max(c.y0 * kCell - margin, 0),
-          std::min(c.x1 * kCell + margin, width), std::min(c.y1 * kCell + margin, height)};
+  // The neighbours of its blocks' cells, and the pixels around those.
+  const Crop begun = fromBlocks(area);
+  const int margin = kCell + kAround, side = kBlock * kCell;
+  return {std::max(begun.x0 - margin, 0), std::max(begun.y0 - margin, 0),
+          std::min(down(area.x1 + side - 1, side) + margin, width),
+          std::min(down(area.y1 + side - 1, side) + margin, height)};
 }
 
 std::int64_t pilotSeed(std::int64_t seed, int pilot) {
@@ -101,7 +128,7 @@ std::int64_t pilotSeed(std::int64_t seed, int pilot) {
 
 SampleMap decideSamples(std::span<const Image> pilots, Crop area, double error, std::uint32_t most,
                         unsigned threads) {
-  SampleMap wanted(area, shared::CELL_STEP);
+  SampleMap wanted(area, 1);
   const Crop cells = wanted.cells();
   const auto rows = static_cast<std::size_t>(cells.y1 - cells.y0);
   parallelFor(rows, 4, threads, [&](std::size_t begin, std::size_t end) {
@@ -119,8 +146,10 @@ SampleMap decideSamples(std::span<const Image> pilots, Crop area, double error, 
     for (int x = cells.x0; x < cells.x1; ++x)
       for (int v = std::max(y - 1, cells.y0); v < std::min(y + 2, cells.y1); ++v)
         for (int u = std::max(x - 1, cells.x0); u < std::min(x + 2, cells.x1); ++u)
-          result.cell(x, y) = std::max(
-              result.cell(x, y), rounded(wanted.cell(u, v) / double{kShareOfNeighbours}, most));
+          if (wanted.cell(u, v) > kShareOfNeighbours)
+            result.cell(x, y) = std::max(
+                result.cell(x, y), rounded(wanted.cell(u, v) / double{kShareOfNeighbours}, most));
+  evenBlocks(result);
   return result;
 }
 

@@ -14,7 +14,8 @@ namespace laver {
 /// crop and a band have the same as the whole picture.
 class SampleMap {
  public:
-  /// The cells that the pixels of `area` lie in, each with `count`.
+  /// The cells that the pixels of `area` lie in, and those before them in their blocks, each with
+  /// `count`.
   SampleMap(Crop area, std::uint32_t count);
 
   /// Those cells, in cells.
@@ -46,11 +47,14 @@ class SampleMap {
 /// The cells that pixels lie in.
 Crop cellsOf(Crop pixels);
 
+/// Blocks of so many cells a side have one sample a pixel together or not at all.
+inline constexpr int kBlock = 2;
+
 /// The pixels whose pilots decide the counts of all cells that the pixels of `area` lie in.
 Crop pilotArea(Crop area, int width, int height);
 
 /// Pilots are pictures of one sample a pixel, each with a seed of its own.
-inline constexpr int kPilots = 4;
+inline constexpr int kPilots = 2;
 std::int64_t pilotSeed(std::int64_t seed, int pilot);
 
 /// The most samples that a pixel may get.
@@ -62,8 +66,8 @@ inline std::uint32_t mostOf(const Sampler& sampler) {
 /// of the pilots, which are reconstructed as the picture will be: s^2 / error^2, where s^2 is the
 /// mean over the cell and the pixels around it of the channel that is largest, and the error is
 /// relative to the mean where that is above 1. At least a quarter of what each of the eight
-/// neighbours gets, since their features may go on unseen here; CELL_STEP to `most`, in multiples
-/// of CELL_STEP.
+/// neighbours gets, since their features may go on unseen here. 1 in blocks where that has
+/// a sixth of the error in all cells; else CELL_STEP to `most`, in multiples of CELL_STEP.
 ///
 /// The counts depend on the pilots alone, and the pilots are not in the picture, so the counts are
 /// independent of every sample that they weigh: the mean of a cell's samples is unbiased.

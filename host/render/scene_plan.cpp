@@ -36,7 +36,7 @@ Line adaptive(const Scene& scene, const RenderOptions& options) {
   if (options.error == 0.0)
     return {"adaptive", "off", "no --error", "counts of cells, and lists of work", 0};
   return {"adaptive",
-          fmt::format("{} to {} samples a pixel", shared::CELL_STEP, mostOf(scene.sampler)),
+          fmt::format("1 to {} samples a pixel", mostOf(scene.sampler)),
           fmt::format("to an error of {:g}, which {} pilots of 1 sample decide", options.error,
                       kPilots),
           "", 0};

@@ -33,27 +33,23 @@ std::uint32_t samplesOf(const shared::Pass& pass, std::uint32_t count) {
 WorkRange listTracing(const SampleMap& map, const shared::Pass& pass, std::uint32_t shift,
                       std::vector<shared::Work>& list) {
   const std::size_t start = list.size();
-  const bool pilot = pass.samples.y < shared::CELL_STEP;
-  if (shift == 6 || pilot != (shift == 0)) return {};
+  if (shift > 4) return {};
   const std::uint32_t side = 8U >> shift / 2, together = 1U << shift;
   const std::uint32_t cell = std::max(side, kCell);
-  // Corners of cells, those of the film or, for pilots, of the region.
-  const std::uint32_t x0 = pilot ? 0 : pass.region.x / kCell * kCell - pass.region.x;
-  const std::uint32_t y0 = pilot ? 0 : pass.region.y / kCell * kCell - pass.region.y;
+  // Corners of cells of the film; of blocks of cells for single samples.
+  const std::uint32_t x0 = pass.region.x / cell * cell - pass.region.x;
+  const std::uint32_t y0 = pass.region.y / cell * cell - pass.region.y;
   const std::uint32_t columns = (pass.region.z - x0 + cell - 1) / cell;
   const std::uint32_t rows = (pass.region.w - y0 + cell - 1) / cell, stride = rowStride(rows);
   for (std::uint32_t i = 0; i < rows; ++i) {
     const std::uint32_t y =
         y0 + static_cast<std::uint32_t>(std::uint64_t{i} * stride % rows) * cell;
     for (std::uint32_t x = x0; x != x0 + columns * cell; x += cell) {
-      std::uint32_t s = 0, end = 1;
-      if (!pilot) {
-        const std::uint32_t has = samplesOf(pass, map.pixel(static_cast<int>(pass.region.x + x),
-                                                            static_cast<int>(pass.region.y + y)));
-        s = shift == 4 ? 0 : has / 16 * 16;
-        end = shift == 4 ? has / 16 * 16 : has;
-      }
-      for (; s < end; s += together)
+      const std::uint32_t has = samplesOf(pass, map.pixel(static_cast<int>(pass.region.x + x),
+                                                          static_cast<int>(pass.region.y + y)));
+      // Those before them go by four times as many.
+      const std::uint32_t first = shift == 4 ? 0 : has / (4 * together) * (4 * together);
+      for (std::uint32_t s = first; s + together <= has; s += together)
         for (std::uint32_t v = 0; v < cell; v += side)
           for (std::uint32_t u = 0; u < cell; u += side) list.push_back({x + u, y + v, s, 0});
     }

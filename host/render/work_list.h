@@ -11,7 +11,7 @@ struct WorkRange {
 };
 
 /// Lists what is to be traced of a pass by workgroups of 2^shift samples side by side: as many of a
-/// cell's samples as go by 16, the rest by 4; of passes of less than CELL_STEP, all, one by one.
+/// cell's samples as go by 16, the rest by 4, and those of a block of cells that have one by 1.
 WorkRange listTracing(const SampleMap& map, const shared::Pass& pass, std::uint32_t shift,
                       std::vector<shared::Work>& list);
 

@@ -173,7 +173,8 @@ struct Jump {
 };
 
 // Adaptive sampling decides by cells of CELL x CELL pixels of the film, in steps of CELL_STEP
-// samples a pixel: 64 samples, a workgroup of tracing.
+// samples a pixel: 64 samples, a workgroup of tracing. One sample a pixel is for blocks of 2 x 2
+// cells, 64 samples too.
 LAVER_CONST uint CELL = 4;
 LAVER_CONST uint CELL_STEP = 4;
 // It gathers by strips of columns and rows.

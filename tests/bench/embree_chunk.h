@@ -3,6 +3,7 @@
 
 #include "bench/embree_packet.h"
 #include "bench/embree_pass.h"
+#include "bench/embree_sampler.h"
 
 namespace laver::bench {
 
@@ -29,6 +30,7 @@ struct EmbreePass::Chunk {
   RTCRayHit16 rays{};
   RTCRay16 shadow{};
   Stored out;
+  Places places;
   alignas(64) float factor[16];
   alignas(64) int all[16], live[16];
 };
@@ -39,9 +41,10 @@ struct EmbreePass::Block {
   std::uint32_t first, count;
 };
 
-/// How the lanes of a packet differ from its first pixel and sample: place, and jump of the stream.
+/// How the lanes of a packet differ from its first pixel and sample: place, number, and jump of the
+/// stream.
 struct EmbreePass::Lanes {
-  alignas(64) float x[16], y[16];
+  alignas(64) std::uint32_t x[16], y[16], number[16];
   alignas(64) std::uint64_t multiplier[16], increments[16];
 };
 

@@ -21,7 +21,7 @@ namespace {
 constexpr std::uint32_t kPass = 16;
 
 struct Command {
-  std::string scene, output = "embree.exr", stats, size, filter, ignored;
+  std::string scene, output = "embree.exr", stats, size, filter, sampler, ignored;
   std::uint32_t samples = 0;
   unsigned threads = 0;
   bool quiet = false;
@@ -58,6 +58,10 @@ void render(const Command& command) {
     const auto filter = filterFromName(command.filter);
     if (!filter) throw Error(ExitCode::Usage, "no filter " + command.filter);
     overrides.filter = filter->kind;
+  }
+  if (!command.sampler.empty()) {
+    overrides.sampler = samplerFromName(command.sampler);
+    if (!overrides.sampler) throw Error(ExitCode::Usage, "no sampler " + command.sampler);
   }
   int width = 0, height = 0;
   if (std::sscanf(command.size.c_str(), "%dx%d", &width, &height) == 2)
@@ -106,7 +110,7 @@ int main(int argc, char** argv) {
   app.add_option("--spp", command.samples);
   app.add_option("--size", command.size);
   app.add_option("--filter", command.filter);
-  app.add_option("--sampler", command.ignored)->check(CLI::IsMember({"independent"}));
+  app.add_option("--sampler", command.sampler);
   app.add_option("--stats", command.stats);
   app.add_option("-t,--threads", command.threads);
   app.add_option("--device", command.ignored, "taken, and of no effect");

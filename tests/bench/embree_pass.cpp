@@ -23,7 +23,10 @@ void store(const T& from, T& to) {
 }  // namespace
 
 EmbreePass::EmbreePass(const SceneData& data, std::uint32_t samples, std::vector<glm::vec3> albedos)
-    : params_(data.params), lights_(data.lights), albedos_(std::move(albedos)) {
+    : params_(data.params),
+      sampler_(data.constants[shared::SPEC_SAMPLER]),
+      lights_(data.lights),
+      albedos_(std::move(albedos)) {
   const auto width = params_.film.x, height = params_.film.y;
   if (width % kBlock != 0 || height % 4 != 0 || data.constants[shared::SPEC_NORMALS] != 0 ||
       (data.constants[shared::SPEC_ALBEDOS] != 0 && albedos_.empty()))
@@ -90,8 +93,9 @@ EmbreePass::Lanes EmbreePass::lanesOf(bool together, std::size_t sample) const {
   for (std::uint64_t i = 0; i < 16; ++i) {
     const std::uint64_t x = together ? 0 : i % 4, y = together ? 0 : i / 4;
     const PcgJump jump = together ? samples_[sample + i] : pcgJump(perPixel * (y * kBlock + x));
-    lanes.x[i] = static_cast<float>(x);
-    lanes.y[i] = static_cast<float>(y);
+    lanes.x[i] = static_cast<std::uint32_t>(x);
+    lanes.y[i] = static_cast<std::uint32_t>(y);
+    lanes.number[i] = together ? static_cast<std::uint32_t>(sample + i) : 0;
     lanes.multiplier[i] = jump.multiplier;
     lanes.increments[i] = jump.increments;
   }

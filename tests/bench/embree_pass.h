@@ -52,6 +52,8 @@ class EmbreePass {
   struct Lanes;
   struct Clock;
   void traceBlock(const EmbreeCall& call, Block block, Chunk& chunk, Clock& clock, Result& result);
+  void placeIndependent(const Block& block, int x, int y, std::size_t sample, const Lanes& lanes,
+                        Chunk& chunk) const;
   void generate(const Block& block, int x, int y, std::size_t sample, const Lanes& lanes,
                 Chunk& chunk) const;
   Lanes lanesOf(bool together, std::size_t sample) const;
@@ -62,6 +64,7 @@ class EmbreePass {
   void trace(const EmbreeCall& call, Chunk& chunk, Clock& clock, Result& result) const;
 
   shared::Params params_;
+  std::uint32_t sampler_;
   std::vector<shared::Light> lights_;
   std::vector<glm::vec3> albedos_;  ///< empty: params_.albedo is that of all
   std::uint64_t seed_;

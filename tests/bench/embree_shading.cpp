@@ -12,18 +12,19 @@ constexpr float kInvPi = 0.31830989F;
 /// origin + t * direction.
 constexpr float kOffset = 2e-6F;
 
-/// PCG32's output (O'Neill 2014, XSH-RR) as a float of [0, 1).
-float unitFloat(std::uint64_t state) {
+/// PCG32's output (O'Neill 2014, XSH-RR).
+std::uint32_t outputOf(std::uint64_t state) {
   const auto word = static_cast<std::uint32_t>(((state >> 18) ^ state) >> 27);
   const auto rotation = static_cast<std::uint32_t>(state >> 59);
-  const std::uint32_t bits = word >> rotation | word << (-rotation & 31U);
-  return std::bit_cast<float>(bits >> 9 | 0x3f800000U) - 1.0F;
+  return word >> rotation | word << (-rotation & 31U);
 }
+
+float unitFloat(std::uint32_t bits) { return std::bit_cast<float>(bits >> 9 | 0x3f800000U) - 1.0F; }
 
 }  // namespace
 
-void EmbreePass::generate(const Block& block, int x, int y, std::size_t sample, const Lanes& lanes,
-                          Chunk& c) const {
+void EmbreePass::placeIndependent(const Block& block, int x, int y, std::size_t sample,
+                                  const Lanes& lanes, Chunk& c) const {
   const std::uint64_t sequence = seed_ + static_cast<std::uint64_t>(block.y);
   const std::uint64_t inc = sequence << 1 | 1U;
   const PcgJump byPixel =
@@ -32,17 +33,36 @@ void EmbreePass::generate(const Block& block, int x, int y, std::size_t sample, 
   std::uint64_t first = inc + seed_ + static_cast<std::uint64_t>(block.x);
   first = byPixel.multiplier * first + byPixel.increments * inc;
   first = bySample.multiplier * first + bySample.increments * inc;
-  const auto x0 = static_cast<float>(block.x + x), y0 = static_cast<float>(block.y + y);
   alignas(64) std::uint64_t state[16];
   for (int i = 0; i < 16; ++i) state[i] = lanes.multiplier[i] * first + lanes.increments[i] * inc;
+  for (int i = 0; i < 16; ++i) {
+    c.places.y[i] = outputOf(state[i]);
+    c.places.x[i] = outputOf(state[i] * kMultiplier + inc);
+  }
+}
+
+void EmbreePass::generate(const Block& block, int x, int y, std::size_t sample, const Lanes& lanes,
+                          Chunk& c) const {
+  for (int i = 0; i < 16; ++i) {
+    c.places.pixelX[i] = static_cast<std::uint32_t>(block.x + x) + lanes.x[i];
+    c.places.pixelY[i] = static_cast<std::uint32_t>(block.y + y) + lanes.y[i];
+    c.places.number[i] = static_cast<std::uint32_t>(sample) + lanes.number[i];
+  }
+  if (sampler_ == shared::SAMPLER_SOBOL)
+    placeSobol(params_, c.places);
+  else if (sampler_ == shared::SAMPLER_STRATIFIED)
+    placeStratified(params_, c.places);
+  else
+    placeIndependent(block, x, y, sample, lanes, c);
   RTCRay16& ray = c.rays.ray;
   const auto w = static_cast<float>(params_.film.x), h = static_cast<float>(params_.film.y);
   const glm::vec3 X = params_.columnX, Y = params_.columnY, Z = params_.columnZ;
   const float tmax = params_.clip.y;
   for (int i = 0; i < 16; ++i) {
-    const float px = x0 + lanes.x[i], py = y0 + lanes.y[i];
-    const float filmY = py + unitFloat(state[i]);
-    const float filmX = px + unitFloat(state[i] * kMultiplier + inc);
+    const auto px = static_cast<float>(static_cast<int>(c.places.pixelX[i]));
+    const auto py = static_cast<float>(static_cast<int>(c.places.pixelY[i]));
+    const float filmX = px + unitFloat(c.places.x[i]);
+    const float filmY = py + unitFloat(c.places.y[i]);
     c.out.x[i] = filmX - px;
     c.out.y[i] = filmY - py;
     const float u = w - 2.0F * filmX, v = h - 2.0F * filmY;

@@ -89,7 +89,7 @@ TEST(ScenePlan, TellsWhatSamplerAdaptionAndDensityDecide) {
   plan = planScene(scene, options, "", cpu());
   EXPECT_EQ(line(plan, "sampler").decision, "sobol");
   EXPECT_EQ(line(plan, "sampler tables").decision, "none");
-  EXPECT_EQ(line(plan, "adaptive").decision, "4 to 84 samples a pixel");
+  EXPECT_EQ(line(plan, "adaptive").decision, "1 to 84 samples a pixel");
 }
 
 TEST(ScenePlan, TellsOfTexturesBackgroundAndLayers) {

@@ -12,7 +12,7 @@ namespace {
 constexpr Crop kArea{0, 0, 64, 64};
 
 /// Pilots that are 0 but for a square whose value alternates between 0 and `height`: there s^2 is
-/// height^2 / 3.
+/// height^2 / 2.
 std::vector<Image> pilotsWith(Crop square, float height) {
   std::vector<Image> pilots(kPilots, rgbImage(kArea.x1, kArea.y1));
   for (std::size_t i = 0; i < pilots.size(); ++i)
@@ -24,26 +24,40 @@ std::vector<Image> pilotsWith(Crop square, float height) {
 
 TEST(SampleMap, SmoothPlacesGetTheLeast) {
   const SampleMap map = decideSamples(pilotsWith({}, 0.0F), kArea, 0.01, 256, 1);
-  EXPECT_EQ(map.most(kArea), shared::CELL_STEP);
+  EXPECT_EQ(map.most(kArea), 1U);
+}
+
+TEST(SampleMap, OneSampleIsForASixthOfTheErrorInWholeBlocks) {
+  // s is 0.7071 of the height.
+  constexpr Crop kBlocks{16, 16, 32, 32};
+  const SampleMap below = decideSamples(pilotsWith(kBlocks, 0.0023F), kArea, 0.01, 256, 1);
+  EXPECT_EQ(below.most(kArea), 1U);
+  const SampleMap above = decideSamples(pilotsWith(kBlocks, 0.0024F), kArea, 0.01, 256, 1);
+  EXPECT_EQ(above.samplesOf(kArea, 256), 4096U + 3U * 256U);
+  // One cell that needs more brings its block with it, and no other.
+  const SampleMap one = decideSamples(pilotsWith({18, 18, 19, 19}, 0.05F), kArea, 0.01, 256, 1);
+  EXPECT_EQ(one.samplesOf(kArea, 256), 4096U + 3U * 64U);
+  EXPECT_EQ(one.most({16, 16, 24, 24}), 4U);
 }
 
 TEST(SampleMap, ACellGetsItsVarianceByTheSquareOfTheErrorInStepsOfFour) {
-  // A cell and the pixels around it: s^2 is 0.09 / 3, and 0.03 / 0.02^2 = 75.
+  // A cell and the pixels around it: s^2 is 0.09 / 2, and 0.045 / 0.02^2 = 112.5.
   const SampleMap map = decideSamples(pilotsWith({19, 19, 25, 25}, 0.3F), kArea, 0.02, 256, 1);
-  EXPECT_EQ(map.pixel(20, 20), 76U);
-  EXPECT_EQ(map.pixel(23, 23), 76U);
-  EXPECT_EQ(map.pixel(40, 20), 4U);
+  EXPECT_EQ(map.pixel(20, 20), 116U);
+  EXPECT_EQ(map.pixel(23, 23), 116U);
+  EXPECT_EQ(map.pixel(40, 20), 1U);
   // 2 pixels wide of 6 in its neighbours: a third of s^2.
-  EXPECT_EQ(map.pixel(24, 20), 28U);
+  EXPECT_EQ(map.pixel(24, 20), 40U);
 }
 
 TEST(SampleMap, NeighboursGetAQuarter) {
-  // Seen by one cell only: 4 of its 36 pixels, s^2 = 12, (12 * 4 / 36) / 0.1^2 = 133.3.
-  const SampleMap map = decideSamples(pilotsWith({21, 21, 23, 23}, 0.6F), kArea, 0.01, 4096, 1);
-  EXPECT_EQ(map.pixel(20, 20), 136U);
+  // Seen by one cell only: 4 of its 36 pixels, s^2 = 0.125, (0.125 * 4 / 36) / 0.01^2 = 138.9.
+  const SampleMap map = decideSamples(pilotsWith({21, 21, 23, 23}, 0.5F), kArea, 0.01, 4096, 1);
+  EXPECT_EQ(map.pixel(20, 20), 140U);
   for (const auto& [x, y] : {std::pair(16, 16), std::pair(20, 16), std::pair(24, 24)})
     EXPECT_EQ(map.pixel(x, y), 36U);
-  EXPECT_EQ(map.pixel(28, 20), 4U);
+  EXPECT_EQ(map.pixel(28, 20), 4U);  // in their block
+  EXPECT_EQ(map.pixel(32, 20), 1U);
 }
 
 TEST(SampleMap, NoPixelGetsMoreThanTheBound) {
@@ -53,9 +67,31 @@ TEST(SampleMap, NoPixelGetsMoreThanTheBound) {
 }
 
 TEST(SampleMap, AboveWhiteTheErrorIsRelative) {
-  // Mean 3, s^2 12: 12 / 3^2 / 0.25^2 = 21.3.
+  // Mean 3, s^2 18: 18 / 3^2 / 0.25^2 = 32.
   const SampleMap map = decideSamples(pilotsWith({16, 16, 32, 32}, 6.0F), kArea, 0.25, 4096, 1);
-  EXPECT_EQ(map.pixel(20, 20), 24U);
+  EXPECT_EQ(map.pixel(20, 20), 32U);
+}
+
+TEST(SampleMap, TheCountsOfACropAreThoseOfTheWhole) {
+  std::mt19937 random(3);
+  std::vector<Image> pilots(kPilots, rgbImage(kArea.x1, kArea.y1));
+  for (int speck = 0; speck < 60; ++speck)
+    pilots[0].pixels[random() % pilots[0].pixels.size()] = 0.1F * static_cast<float>(speck % 8);
+  const SampleMap whole = decideSamples(pilots, kArea, 0.02, 256, 1);
+  for (int y = 0; y < 64; y += 3)
+    for (int x = 0; x < 64; x += 3) {
+      const Crop area = pilotArea({x, y, x + 1, y + 1}, kArea.x1, kArea.y1);
+      std::vector<Image> parts;
+      for (const Image& pilot : pilots) {
+        Image& part = parts.emplace_back(rgbImage(area.x1 - area.x0, area.y1 - area.y0));
+        for (int v = area.y0; v < area.y1; ++v)
+          for (int u = area.x0; u < area.x1; ++u)
+            for (std::size_t c = 0; c < 3; ++c)
+              part.at(u - area.x0, v - area.y0, c) = pilot.at(u, v, c);
+      }
+      EXPECT_EQ(decideSamples(parts, area, 0.02, 256, 1).pixel(x, y), whole.pixel(x, y))
+          << x << ' ' << y;
+    }
 }
 
 TEST(SampleMap, CountsOfARegionAreThoseOfTheCellsThatItTouches) {
@@ -82,15 +118,14 @@ double hits(std::mt19937& random, std::uint32_t count, double p) {
 }
 
 TEST(SampleMap, AFeatureThatOneSampleInAHundredMeetsIsNotBiased) {
-  // Every pixel shows 1 where a sample meets the feature, which its pilots may or may not see. The
-  // mean over 9.8 million pixels of about 12 samples has a standard error of 0.1 % of the truth,
-  // 0.01; the numbers are always the same.
+  // Every pixel shows 1 where a sample meets the feature, which its pilots may or may not see; the
+  // numbers are always the same.
   constexpr double kShare = 0.01;
   constexpr Crop kFilm{0, 0, 256, 256};
   std::mt19937 random(7);
-  double ours = 0, kept = 0;
+  double ours = 0, kept = 0, variance = 0;
   std::uint64_t pixels = 0;
-  for (int round = 0; round < 150; ++round) {
+  for (int round = 0; round < 240; ++round) {
     std::vector<Image> pilots(kPilots, rgbImage(kFilm.x1, kFilm.y1));
     std::vector<double> seen(256 * 256, 0.0);
     for (Image& pilot : pilots)
@@ -104,11 +139,13 @@ TEST(SampleMap, AFeatureThatOneSampleInAHundredMeetsIsNotBiased) {
       const std::uint32_t count = map.pixel(static_cast<int>(i % 256), static_cast<int>(i / 256));
       const double met = hits(random, count, kShare);
       ours += met / count;
+      variance += kShare * (1.0 - kShare) / count;
       kept += (met + seen[i]) / (count + kPilots);
     }
     pixels += seen.size();
   }
   const double truth = kShare * static_cast<double>(pixels);
+  EXPECT_LT(std::sqrt(variance) / truth, 0.001);
   EXPECT_NEAR(ours / truth, 1.0, 0.002);
   EXPECT_LT(kept / truth, 0.95);  // samples that decide and are kept: the fault this avoids
 }
