@@ -11,7 +11,7 @@ file(MAKE_DIRECTORY ${LAVER_SPIRV_DIR})
 # What makes a kernel of packets quick to compile: lavapipe takes 0.6 of the time for one that comes
 # unrolled, inlined and cleaned. Loops are unrolled first, while the arithmetic in them stands in
 # functions: spirv-opt's unrolling drops NoContraction, its inlining keeps it. Not for others: `lane`
-# would be traced at half the speed, and gathering takes as long to compile.
+# would be traced at half the speed, and gathering with loops of unknown length takes as long.
 set(LAVER_SPIRV_SMALL --merge-return --eliminate-local-single-block --eliminate-local-single-store
   --ssa-rewrite --ccp --eliminate-dead-code-aggressive --loop-unroll -O)
 
@@ -22,7 +22,7 @@ macro(laver_kernel name kernel)
   set(embedded ${LAVER_SPIRV_DIR}/${name}.embedded.spv)
   set(array ${LAVER_SPIRV_DIR}/${name}.inc)
   set(small "")
-  if("${ARGN}" MATCHES LAVER_PACKET AND NOT ${name} MATCHES gather)
+  if(${name} MATCHES "_packet" AND NOT ${name} STREQUAL gather_packet)
     set(small ${LAVER_SPIRV_SMALL})
   endif()
   add_custom_command(OUTPUT ${spirv} ${embedded} ${array}
@@ -70,7 +70,8 @@ std::span<const std::uint32_t> @lookup@(const std::string& kernel) {
 endmacro()
 
 # Each is compiled for both traversals: for any device, and for subgroups of 8 lanes that shuffle.
-# Those that show textures or a background are compiled with and without them.
+# Those that show textures or a background are compiled with and without them, and what most pictures
+# need once more for plain scenes (layout.h).
 set(LAVER_TEXTURED_KERNELS albedo direct_whitted)
 foreach(kernel IN LISTS LAVER_KERNELS)
   get_filename_component(name ${kernel} NAME_WE)
@@ -80,6 +81,9 @@ foreach(kernel IN LISTS LAVER_KERNELS)
     laver_kernel(${name}_textured_lane ${kernel} -DLAVER_TEXTURES)
     laver_kernel(${name}_textured_packet ${kernel} -DLAVER_TEXTURES -DLAVER_PACKET)
   endif()
+endforeach()
+foreach(name direct_whitted gather)
+  laver_kernel(${name}_packet_plain ${LAVER_SHADER_DIR}/${name}.comp -DLAVER_PACKET -DLAVER_PLAIN)
 endforeach()
 # Methods that laver does not render with, for `laver chart`.
 laver_kernel(charted_methods ${LAVER_SHADER_DIR}/charted/methods.comp)

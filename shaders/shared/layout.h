@@ -70,6 +70,11 @@ LAVER_CONST uint BACKGROUND_BLACK = 0;
 LAVER_CONST uint BACKGROUND_CONSTANT = 1;
 LAVER_CONST uint BACKGROUND_IMAGE = 2;
 
+// What plain scenes need. Kernels with these values built in (LAVER_PLAIN) take drivers less time to
+// compile than kernels that leave the same code out.
+LAVER_CONST uint PLAIN[SPEC_CONSTANTS] = {64u, 0u, 0u, LIGHTS_FEW, 1u, FILTER_GAUSSIAN_NARROW, 2u,
+                                          0u, SAMPLER_INDEPENDENT, 0u, 0u, 0u, BACKGROUND_BLACK};
+
 LAVER_CONST uint GATHER_GROUP = 64;  // columns
 // Samples of a pixel that are summed plainly before a compensated sum takes them: a pass holds a
 // multiple of them, so that cutting a render into passes changes no bit.

@@ -32,7 +32,8 @@ std::vector<std::string> productionKernels() {
        std::filesystem::directory_iterator(std::string(LAVER_SOURCE_DIR) + "/shaders")) {
     if (entry.path().extension() != ".comp") continue;
     const std::string stem = entry.path().stem();
-    for (const char* suffix : {"_lane", "_packet", "_textured_lane", "_textured_packet"})
+    for (const char* suffix :
+         {"_lane", "_packet", "_packet_plain", "_textured_lane", "_textured_packet"})
       if (std::filesystem::exists(std::string(LAVER_SPIRV_DIR) + "/" + stem + suffix + ".spv"))
         names.push_back(stem + suffix);
   }
