@@ -79,8 +79,7 @@ void main() {
 #else
     const vec2 film = filmPosition(pixel, pass.samples.x + place.z);
 #endif
-    precise vec2 offset = film - vec2(pixel);
-    inside[r] = offset;
+    inside[r] = insidePixel(film, pixel);
     rays.direction[r] = cameraDirection(film);
     rays.tmin[r] = params.clip.x;
     rays.tmax[r] = params.clip.y;

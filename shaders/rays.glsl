@@ -40,12 +40,13 @@ void unoccluded(vec3 points[R], vec3 ways[R], bool live[R], out bool clear[R]);
 
 // Whether the driver has cut loops short without a word, as lavapipe does after 65,535 turns of all
 // loops of 8 lanes together: from there on each loop ends after a turn, and this one, which a kernel
-// runs last, tells. The compiler does not know how often it turns.
+// runs last, tells. The compiler does not know how often it turns, nor, with another comparison, that
+// the one which ends it is the one asked for.
 bool loopsWereCut() {
   const uint wanted = 2u + (pass.region.z >> 31);
   uint turns = 0u;
   [[dont_unroll]] while (turns < wanted) turns++;
-  return turns < wanted;
+  return turns != wanted;
 }
 
 #endif

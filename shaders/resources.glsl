@@ -3,23 +3,30 @@
 #define LAVER_RESOURCES
 #include "shared/layout.h"
 
-layout(constant_id = SPEC_STACK) const uint STACK = 64;
-layout(constant_id = SPEC_NORMALS) const bool HAS_NORMALS = true;
-layout(constant_id = SPEC_ALBEDOS) const bool HAS_ALBEDOS = true;
-layout(constant_id = SPEC_LIGHTS) const uint LIGHTS = LIGHTS_MANY;
+#ifdef LAVER_PLAIN
+#define CONSTANT(id) const
+#else
+#define CONSTANT(id) layout(constant_id = id) const
+#define PLAIN_NORMALS 1
+#define PLAIN_ALBEDOS 1
+#endif
+CONSTANT(SPEC_STACK) uint STACK = PLAIN[SPEC_STACK];
+CONSTANT(SPEC_NORMALS) bool HAS_NORMALS = bool(PLAIN_NORMALS);
+CONSTANT(SPEC_ALBEDOS) bool HAS_ALBEDOS = bool(PLAIN_ALBEDOS);
+CONSTANT(SPEC_LIGHTS) uint LIGHTS = PLAIN[SPEC_LIGHTS];
 layout(constant_id = SPEC_JUMP_LEVELS) const uint JUMP_LEVELS = 3;
-layout(constant_id = SPEC_FILTER) const uint KNOWN_FILTER = FILTER_GAUSSIAN;
-layout(constant_id = SPEC_APRON) const uint APRON = 2;
-layout(constant_id = SPEC_NORI_TABLE) const bool NORI_TABLE = false;
-layout(constant_id = SPEC_SAMPLER) const uint SAMPLER = SAMPLER_INDEPENDENT;
-layout(constant_id = SPEC_ADAPTIVE) const bool ADAPTIVE = false;
+CONSTANT(SPEC_FILTER) uint KNOWN_FILTER = PLAIN[SPEC_FILTER];
+CONSTANT(SPEC_APRON) uint APRON = PLAIN[SPEC_APRON];
+CONSTANT(SPEC_NORI_TABLE) bool NORI_TABLE = bool(PLAIN[SPEC_NORI_TABLE]);
+CONSTANT(SPEC_SAMPLER) uint SAMPLER = PLAIN[SPEC_SAMPLER];
+CONSTANT(SPEC_ADAPTIVE) bool ADAPTIVE = bool(PLAIN[SPEC_ADAPTIVE]);
 // Of kernels with LAVER_TEXTURES alone, which scenes without textures and background do not use:
 // to leave the code out by these constants takes drivers 10 to 20 ms of their compiling.
 layout(constant_id = SPEC_TEXTURES) const uint TEXTURES = 3;
 layout(constant_id = SPEC_IMAGES) const uint IMAGES = 3;
 layout(constant_id = SPEC_BACKGROUND) const uint BACKGROUND = BACKGROUND_IMAGE;
-layout(constant_id = SPEC_HITS) const bool HAS_HITS = true;
-layout(constant_id = SPEC_DARK_SIDES) const bool DARK_SIDES = false;
+CONSTANT(SPEC_HITS) bool HAS_HITS = bool(PLAIN[SPEC_HITS]);
+CONSTANT(SPEC_DARK_SIDES) bool DARK_SIDES = bool(PLAIN[SPEC_DARK_SIDES]);
 
 const uint REACH = 2u * APRON + 1u;  // pixels on an axis that one sample reaches
 

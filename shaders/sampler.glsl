@@ -7,7 +7,7 @@
 float unitFloat(uint bits) { return uintBitsToFloat(bits >> 9 | 0x3f800000u) - 1.0; }
 
 // Film position of a sample in pixels: the float sum of pixel and jitter, as Nori has it. Precise,
-// or a compiler turns (pixel + jitter) - pixel back into jitter.
+// as insidePixel() is, or a compiler turns (pixel + jitter) - pixel back into jitter.
 vec2 filmPosition(uvec2 pixel, uint number) {
   uvec2 fraction;  // of a pixel, in 2^-32
   if (SAMPLER == SAMPLER_INDEPENDENT)
@@ -16,6 +16,12 @@ vec2 filmPosition(uvec2 pixel, uint number) {
     fraction = hashedFraction(pixel, number);
   precise vec2 film = vec2(pixel) + vec2(unitFloat(fraction.x), unitFloat(fraction.y));
   return film;
+}
+
+// Where a film position lies in its pixel.
+vec2 insidePixel(vec2 film, uvec2 pixel) {
+  precise vec2 inside = film - vec2(pixel);
+  return inside;
 }
 
 // Two more numbers in [0, 1), which Nori draws for the aperture. A pinhole does not use them, so that

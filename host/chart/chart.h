@@ -45,7 +45,7 @@ struct Point {
   std::string sampler;
   bool adaptive = false;
   std::string traversal;  ///< only where it is not the device's own choice
-  double samples = 0;     ///< a pixel, the mean over the film; 0: not known
+  double samples = 0;     ///< a pixel, pilots too, the mean over the film; 0: not known
   std::string command;    ///< that renders it; empty where not known
   std::vector<double> passSeconds, processSeconds;  ///< trace + reconstruct, whole process: a run
   Errors errors;

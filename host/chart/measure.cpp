@@ -55,8 +55,9 @@ nlohmann::json Measurer::renders(const Choice& choice) const {
   double samples = 0;
   for (std::size_t i = 0; i <= options_.runs; ++i) {
     const Run run = runOnce(choice.series.program, arguments);
-    samples =
-        run.stats.value("/samples/total"_json_pointer, 0.0) / options_.size.x / options_.size.y;
+    samples = (run.stats.value("/samples/total"_json_pointer, 0.0) +
+               run.stats.value("/adaptive/pilotSamples"_json_pointer, 0.0)) /
+              options_.size.x / options_.size.y;
     if (i == 0) continue;  // warms caches up
     const auto& seconds = run.stats["seconds"];
     pass.push_back(seconds.value("trace", 0.0) + seconds.value("reconstruct", 0.0));

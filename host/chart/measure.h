@@ -18,7 +18,7 @@ inline void throwIfStopped(const Options& options) {
 /// What the renders of a choice gave.
 struct Measured {
   std::vector<double> passSeconds, processSeconds;
-  double samples = 0;  ///< a pixel
+  double samples = 0;  ///< a pixel, pilots too
   Image image;
 };
 

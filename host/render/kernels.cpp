@@ -1,5 +1,8 @@
 #include "render/kernels.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <future>
 
 #include "render/device_scene.h"
@@ -7,9 +10,26 @@
 
 namespace laver {
 
+std::string variantOf(const std::string& name, SpecConstants& constants) {
+  using namespace shared;
+  const auto plain = [&](std::initializer_list<std::uint32_t> read) {
+    return std::all_of(read.begin(), read.end(),
+                       [&](std::uint32_t id) { return constants[id] == PLAIN[id]; });
+  };
+  if (name == "gather_packet" && plain({SPEC_FILTER, SPEC_APRON, SPEC_NORI_TABLE, SPEC_ADAPTIVE}))
+    return name + "_plain";
+  if (name == "direct_whitted_packet" && constants[SPEC_STACK] <= PLAIN[SPEC_STACK] &&
+      plain({SPEC_LIGHTS, SPEC_SAMPLER, SPEC_ADAPTIVE, SPEC_HITS, SPEC_DARK_SIDES})) {
+    constants[SPEC_STACK] = PLAIN[SPEC_STACK];
+    return fmt::format("{}_plain_{}{}", name, constants[SPEC_NORMALS], constants[SPEC_ALBEDOS]);
+  }
+  return name;
+}
+
 Kernel compileKernel(const Device& device, const Bindings& bindings, const std::string& name,
-                     const SpecConstants& constants) {
-  Kernel kernel(device, bindings, name, constants, sizeof(shared::Pass));
+                     SpecConstants constants) {
+  const std::string variant = variantOf(name, constants);
+  Kernel kernel(device, bindings, variant, constants, sizeof(shared::Pass));
   const shared::Pass nothing{};
   device.run([&](VkCommandBuffer commands) {
     kernel.dispatch(commands, bindings, std::as_bytes(std::span(&nothing, 1)), {0, 1, 1});

@@ -6,10 +6,14 @@
 
 namespace laver {
 
+/// The kernel, or its variant with these constants built in where there is one, which takes less
+/// time to compile (PLAIN in layout.h). A stack in it may be larger: then `constants` tell so.
+std::string variantOf(const std::string& name, SpecConstants& constants);
+
 /// Compiles shaders/<name>.comp and has the driver make machine code of it, which lavapipe puts off
 /// to the first dispatch: `bindings` hold buffers of the formats that will be read.
 Kernel compileKernel(const Device& device, const Bindings& bindings, const std::string& name,
-                     const SpecConstants& constants);
+                     SpecConstants constants);
 
 /// The two kernels of a picture.
 struct Kernels {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "render/attribute_form.h"
+#include "render/kernels.h"
 #include "render/plan_lines.h"
 #include "render/renderings.h"
 #include "render/sample_map.h"
@@ -35,8 +36,7 @@ Line traversal(const Scene& scene, std::uint64_t triangles, const std::string& w
 Line adaptive(const Scene& scene, const RenderOptions& options) {
   if (options.error == 0.0)
     return {"adaptive", "off", "no --error", "counts of cells, and lists of work", 0};
-  return {"adaptive",
-          fmt::format("1 to {} samples a pixel", mostOf(scene.sampler)),
+  return {"adaptive", fmt::format("1 to {} samples a pixel", mostOf(scene.sampler)),
           fmt::format("to an error of {:g}, which {} pilots of 1 sample decide", options.error,
                       kPilots),
           "", 0};
@@ -96,9 +96,10 @@ void noteShown(Integrator shown, const Scene& scene, Facts& facts) {
       facts.coloured || shown == Integrator::Albedo || (shaded && !scene.lights.empty());
 }
 
-Line integrator(const Scene& scene, std::size_t pictures) {
+Line integrator(const Scene& scene, std::size_t pictures, const std::string& kernel) {
   if (pictures == 1)
-    return {"integrator", integratorName(scene.integrator), "a kernel of its own", "all others", 0};
+    return {"integrator", integratorName(scene.integrator), "the kernel " + kernel, "all others",
+            0};
   return {"integrator", integratorName(scene.integrator),
           fmt::format("{} from one upload, a kernel each", countOf(pictures, "picture")),
           "all others", 0};
@@ -123,21 +124,24 @@ ScenePlan planScene(const Scene& scene, const RenderOptions& options,
   plan.device = device.name;
   plan.driver = device.driver;
   const std::vector<Rendering> pictures = renderingsOf(scene, options);
-  const SpecConstants constants = constantsOfAll(pictures);
+  std::uint64_t primitives = 0;
+  for (const Mesh& mesh : scene.meshes) primitives += mesh.primitives();
+  const Line traversed = traversal(scene, primitives, wantedTraversal, device, plan);
+  SpecConstants constants = constantsOfAll(pictures);
+  const std::string kernel = variantOf(pictures.front().kernel + '_' + plan.traversal, constants);
   const SceneData data = packScene(scene, options, constants);
   Facts facts{scene, data, constants[shared::SPEC_STACK]};
   facts.pictures = pictures.size();
+  facts.triangles = primitives;
   noteShown(scene.integrator, scene, facts);
   for (const Shown& shown : shownBeside(options.more, options.layers))
     noteShown(shown.integrator, scene, facts);
   for (const Mesh& mesh : scene.meshes) {
-    facts.triangles += mesh.primitives();
     facts.spheres += mesh.sphere ? 1 : 0;
     facts.normals += mesh.normals.size();
     facts.uvs += mesh.uvs.size();
   }
-  plan.lines = {integrator(scene, pictures.size()),
-                traversal(scene, facts.triangles, wantedTraversal, device, plan)};
+  plan.lines = {integrator(scene, pictures.size(), kernel), traversed};
   for (Line& line : sceneLines(facts)) plan.lines.push_back(std::move(line));
   plan.lines.push_back(adaptive(scene, options));
   addCut(scene, options, facts, device, plan);

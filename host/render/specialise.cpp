@@ -10,7 +10,7 @@ namespace laver {
 namespace {
 
 /// Entries that suffice for meshes of tens of thousands to a million triangles (48 to 63).
-constexpr std::uint32_t kLikelyStack = 64;
+constexpr std::uint32_t kLikelyStack = shared::PLAIN[shared::SPEC_STACK];
 
 /// The stack never holds more subtrees than there are triangles.
 std::uint32_t likelyStack(const Scene& scene) {

@@ -75,6 +75,14 @@ LAVER_CONST uint BACKGROUND_BLACK = 0;
 LAVER_CONST uint BACKGROUND_CONSTANT = 1;
 LAVER_CONST uint BACKGROUND_IMAGE = 2;
 
+// What plain scenes need, with or without vertex normals and differing albedos. Kernels with these
+// values built in (LAVER_PLAIN) take drivers less time to compile than kernels that leave the same
+// code out.
+LAVER_CONST uint PLAIN[SPEC_CONSTANTS] = {
+    64u, 0u, 0u, LIGHTS_FEW, 1u,                              // from SPEC_STACK
+    FILTER_GAUSSIAN_NARROW, 2u, 0u, SAMPLER_INDEPENDENT, 0u,  // from SPEC_FILTER
+    0u, 0u, BACKGROUND_BLACK, 1u, 0u, 4u, 0u};                // from SPEC_TEXTURES
+
 LAVER_CONST uint GATHER_GROUP = 64;  // columns
 // Samples of a pixel that are summed plainly before a compensated sum takes them: a pass holds a
 // multiple of them, so that cutting a render into passes changes no bit.

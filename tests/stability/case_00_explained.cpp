@@ -1,7 +1,8 @@
-// Every scene of scenes/ against the double reference, sample by sample; and a vertex moved by 16
-// ulp, to show that the explanation can fail.
+// Every scene of triangles in scenes/ against the double reference, sample by sample; and a vertex
+// moved by 16 ulp, to show that the explanation can fail.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "explain/explain.h"
@@ -44,7 +45,7 @@ Mutation mutationOf(const Scene& scene) {
   return m;
 }
 
-LAVER_STABILITY(00, Explained, "Every scene against the double reference") {
+LAVER_STABILITY(00, Explained, "Every scene of triangles against the double reference") {
   for (const auto& entry : std::filesystem::directory_iterator(test::scenesFolder())) {
     if (entry.path().extension() != ".xml") continue;
     const std::string name = entry.path().filename();
@@ -52,6 +53,11 @@ LAVER_STABILITY(00, Explained, "Every scene against the double reference") {
         full ? loadScene(entry.path().string()).scene : test::smallScene(name, 192, 1);
     VulkanOptions vulkan;
     vulkan.device = testDevice();
+    if (std::any_of(scene.meshes.begin(), scene.meshes.end(),
+                    [](const Mesh& m) { return m.sphere; })) {
+      EXPECT_THROW(explain(scene, scene, vulkan), Error) << name;  // cases 18 to 20 are of spheres
+      continue;
+    }
     const Mutation mutation = mutationOf(scene);
     const Explanation wrong = explain(mutation.moved, mutation.flat, vulkan);
     const Explanation e = explain(scene, scene, vulkan);

@@ -35,6 +35,7 @@ const std::map<std::string, Precise> kPrecise = {
     {"sphereDirection", {7, true}},   // direction.h
     {"uniformDirection", {3, true}},  // direction.h
     {"filmPosition", {1, true}},      // sampler.glsl: pixel + jitter is Nori's float sum
+    {"insidePixel", {1, true}},       // sampler.glsl
     {"cameraDirection", {8, true}},
     {"expOf", {22, false}},  // filter.glsl: Cody and Waite's reduction; the last is a scaling
     {"addCompensated", {7, true}},  // gather.comp: two-sum is all rounding errors
@@ -130,6 +131,15 @@ std::vector<std::string> lint(const KernelCounts& kernel) {
     if (name.empty() || startsWith(name, "%")) faults.emplace_back("a function without a name");
   }
   return faults;
+}
+
+double decoratedShare(const KernelCounts& kernel) {
+  int arithmetic = 0, decorated = 0;
+  for (const auto& [name, counts] : kernel.functions) {
+    arithmetic += counts.arithmetic;
+    decorated += counts.decorated;
+  }
+  return static_cast<double>(decorated) / arithmetic;
 }
 
 FunctionCounts preciseArithmetic(const KernelCounts& kernel) {

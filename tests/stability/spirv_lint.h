@@ -24,6 +24,9 @@ KernelCounts countOf(const std::string& disassembly);
 /// The faults of one kernel, one line each.
 std::vector<std::string> lint(const KernelCounts& kernel);
 
+/// Share of the kernel's arithmetic that carries NoContraction, over all its functions.
+double decoratedShare(const KernelCounts& kernel);
+
 /// Arithmetic of the kernel that must carry NoContraction, and how much of it does.
 FunctionCounts preciseArithmetic(const KernelCounts& kernel);
 
