@@ -12,7 +12,6 @@ Bounds boundsOf(const BuildItem* items, std::uint32_t count) {
 
 Binning::Binning(const Box4& centroids, std::uint32_t count)
     : lo_(centroids.lo),
-      scale_{},
       bins_(count >= 256  ? 32
             : count >= 24 ? 16
                           : 8) {

@@ -35,7 +35,8 @@ class Binning {
   static constexpr int kMost = 32;
 
  private:
-  Float4 lo_, scale_;
+  Float4 lo_;
+  Float4 scale_{};
   unsigned bins_;
 };
 

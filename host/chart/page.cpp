@@ -157,7 +157,7 @@ std::string pageOf(const Chart& chart, const std::string& metric) {
           "#metric-{0}:checked ~ #filter-{1}:checked ~ .shown > .{0}.{1} {{ display: block }}\n", m,
           filter);
       for (const bool process : {false, true})
-        panels += drawn(timePanel(chart, f, m, process), m + " " + filter);
+        panels += drawn(timePanel(chart, f, m, process), fmt::format("{} {}", m, filter));
     }
   for (const auto& [quantity, words] : quantities.names) {
     style += fmt::format("#quantity-{0}:checked ~ .shown > .{0} {{ display: block }}\n", quantity);

@@ -10,6 +10,7 @@
 namespace laver::chart {
 
 /// One render by a process of its own.
+// NOLINTNEXTLINE(bugprone-exception-escape): moving JSON asserts, and throws nothing
 struct Run {
   double seconds = 0;    ///< from the start of the process to its end
   nlohmann::json stats;  ///< what its --stats=FILE.json left

@@ -24,9 +24,10 @@ glm::dvec2 stratified(int x, int y, int width, std::uint32_t number, std::uint32
   const auto pixel = static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(width) +
                      static_cast<std::uint64_t>(x);
   reference::Pcg32 random(pixel << 32 | number, half);
-  const double u = static_cast<double>(random.nextFloat());
-  const double v = static_cast<double>(random.nextFloat());
-  return {x + (number % side + u) / side, y + (number / side + v) / side};
+  const auto u = static_cast<double>(random.nextFloat());
+  const auto v = static_cast<double>(random.nextFloat());
+  const std::uint32_t row = number / side;
+  return {x + (number % side + u) / side, y + (row + v) / side};
 }
 
 /// One half, kept now and then.

@@ -107,8 +107,9 @@ Bitmap bitmapOf(const Chart& chart, const std::string& metric) {
   const int rows = static_cast<int>(panels.size() + 1) / 2;
   RasterCanvas canvas(2 * kPanelWidth, rows * kPanelHeight + 26);
   for (std::size_t i = 0; i < panels.size(); ++i) {
+    const std::size_t row = i / 2;
     canvas.moveTo(
-        {static_cast<double>(i % 2) * kPanelWidth, static_cast<double>(i / 2) * kPanelHeight});
+        {static_cast<double>(i % 2) * kPanelWidth, static_cast<double>(row) * kPanelHeight});
     draw(panels[i], canvas);
   }
   canvas.moveTo({0, rows * kPanelHeight});

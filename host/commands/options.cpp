@@ -1,5 +1,7 @@
 #include "commands/options.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <exception>
@@ -38,7 +40,8 @@ std::vector<T> named(const std::string& option, const std::string& text,
   std::istringstream in(text + ',');
   for (std::string name; std::getline(in, name, ',');) {
     const std::optional<T> one = find(name);
-    if (!one) throw CLI::ValidationError(option, "expected " + expected + ", not \"" + name + '"');
+    if (!one)
+      throw CLI::ValidationError(option, fmt::format("expected {}, not \"{}\"", expected, name));
     if (std::find(all.begin(), all.end(), *one) != all.end())
       throw CLI::ValidationError(option, name + " is named twice");
     all.push_back(*one);

@@ -31,7 +31,7 @@ struct RenderOptions {
   std::vector<Integrator> more;  ///< further pictures from the same upload, each in channels NAME.*
   std::vector<Layer> layers;     ///< shown beside the picture
   bool noriCompat = false;       ///< filter weights from Nori's 32-entry table
-  double error = 0.0;  ///< adaptive sampling to this error (render/sample_map.h); 0: none
+  double error = 0.0;            ///< adaptive sampling to this error (render/sample_map.h); 0: none
   unsigned threads = 0;          ///< host threads, 0: all
   std::function<void(double)> progress;  ///< called now and then with the share done, 0 to 1
   Watcher watcher;

@@ -89,13 +89,19 @@ LAVER_FN bool ballBlocks(Shear shear, float last, vec3 centre, vec3 end, vec2 en
 struct LongFloat {
   float hi, lo;
 };
+LAVER_FN LongFloat longFloat(float hi, float lo) {
+  LongFloat x;
+  x.hi = hi;
+  x.lo = lo;
+  return x;
+}
 
 // Knuth's two-sum.
 LAVER_FN LongFloat plus(LongFloat x, float y) {
   LAVER_PRECISE float sum = x.hi + y;
   LAVER_PRECISE float part = sum - x.hi;
   LAVER_PRECISE float lo = x.lo + ((x.hi - (sum - part)) + (y - part));
-  return LongFloat(sum, lo);
+  return longFloat(sum, lo);
 }
 
 // x + a * b: products of halves are exact, so that contraction changes no bit (accurateDifference).
@@ -105,12 +111,12 @@ LAVER_FN LongFloat plusProduct(LongFloat x, float a, float b) {
   LAVER_PRECISE float bl = b - bh;
   LongFloat sum = plus(plus(plus(x, ah * bh), ah * bl), al * bh);
   LAVER_PRECISE float lo = sum.lo + al * bl;
-  return plus(LongFloat(sum.hi, 0.0f), lo);
+  return plus(longFloat(sum.hi, 0.0f), lo);
 }
 
 LAVER_FN LongFloat awayOnAxis(float origin, float centre, float t, float d, float unit) {
-  const LongFloat away = plusProduct(plus(LongFloat(origin, 0.0f), -centre), t, d);
-  return LongFloat(away.hi * unit, away.lo * unit);
+  const LongFloat away = plusProduct(plus(longFloat(origin, 0.0f), -centre), t, d);
+  return longFloat(away.hi * unit, away.lo * unit);
 }
 
 // The hit on a sphere, recomputed once. `weights` mean nothing.
@@ -132,7 +138,7 @@ LAVER_FN Point ballPointAt(vec3 origin, vec3 direction, float tmin, vec3 centre,
   const float most = 0.25f * (chord.far - chord.near) / scale;
   float back = 0.0f;
   for (uint i = 0u; i < 2u; ++i) {
-    LongFloat sum = plusProduct(LongFloat(0.0f, 0.0f), -radius * unit, radius * unit);
+    LongFloat sum = plusProduct(longFloat(0.0f, 0.0f), -radius * unit, radius * unit);
     sum = plusProduct(plusProduct(plusProduct(sum, x.hi, x.hi), y.hi, y.hi), z.hi, z.hi);
     const vec3 p = vec3(x.hi, y.hi, z.hi);
     LAVER_PRECISE float excess = sum.hi + (sum.lo + 2.0f * dotProduct(p, vec3(x.lo, y.lo, z.lo)));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "reference/ray.h"
@@ -13,6 +14,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 constexpr double e = 0x1p-24;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double cross(dvec2 a, dvec2 b) { return a.x * b.y - a.y * b.x; }
 
@@ -76,7 +78,7 @@ Seen seenFrom(const shared::Triangle& triangle, const MethodRay& ray) {
     seen.z[i] = at.z * sign;
     off[i] = boundOf(corners[i], o, d, seen.p[i]);
   }
-  seen.distance = seen.covers(dvec2(0)) ? 0 : INFINITY;
+  seen.distance = seen.covers(dvec2(0)) ? 0 : kInfinity;
   for (std::size_t i = 0; i < 3; ++i) {
     const dvec2 a = seen.p[i], b = seen.p[(i + 1) % 3], along = b - a;
     const double length = glm::length(along);
@@ -114,7 +116,7 @@ std::vector<Seen> nearRay(const Bvh& bvh, const MethodRay& ray) {
     }
     for (const shared::Child& child : bvh.nodes[ref].child) {
       if (child.ref == shared::REF_NONE) continue;
-      double near = -INFINITY, far = INFINITY;
+      double near = -kInfinity, far = kInfinity;
       for (int a = 0; a < 3; ++a) {
         const double t0 = (static_cast<double>(child.lo[a]) - pad - o[a]) / d[a];
         const double t1 = (static_cast<double>(child.hi[a]) + pad - o[a]) / d[a];
@@ -176,7 +178,7 @@ bool Excuses::allow(const MethodRay& ray, std::uint32_t id) const {
   if (id == shared::NO_HIT) {
     const auto points = pointsIn(disc);
     return list.empty() ||
-           std::any_of(points.begin(), points.end(), [&](dvec2 at) { return free(at, INFINITY); });
+           std::any_of(points.begin(), points.end(), [&](dvec2 at) { return free(at, kInfinity); });
   }
   const auto own =
       std::find_if(list.begin(), list.end(), [&](const Seen& seen) { return seen.id == id; });

@@ -24,7 +24,7 @@ struct MethodPoint {
 std::vector<MethodPoint> chartMethods(const Scene& scene, const std::string& device,
                                       std::size_t runs, const std::function<bool()>& stop);
 
-nlohmann::json toJson(const MethodPoint& point);
+nlohmann::json toJson(const MethodPoint& m);
 MethodPoint methodFromJson(const nlohmann::json& json);
 
 }  // namespace laver::chart
