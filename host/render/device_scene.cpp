@@ -1,7 +1,6 @@
 #include "render/device_scene.h"
 
 #include <array>
-#include <bit>
 
 #include "render/attribute_form.h"
 
@@ -10,11 +9,12 @@ namespace {
 
 constexpr VkFormat kTexels = VK_FORMAT_R32G32B32A32_UINT;
 
-/// lavapipe compiles a kernel anew when a texel buffer's size becomes or ceases to be a power of
-/// two: none is.
-VkDeviceSize notPowerOfTwo(VkDeviceSize bytes, VkDeviceSize texel) {
-  const VkDeviceSize texels = bytes / texel;
-  return (std::has_single_bit(texels) ? texels + 1 : texels) * texel;
+/// lavapipe compiles a kernel anew where the bytes of a texel buffer become or cease to be a power
+/// of two, or where bits 0 to 7 or 8 to 15 of them, which it takes for mip levels, become or cease
+/// to be all zero (its lp_static_texture_state): of none they are.
+VkDeviceSize alike(VkDeviceSize bytes, VkDeviceSize texel) {
+  if ((bytes & 0xff00U) == 0) bytes += 0x100;
+  return (bytes & 0xffU) == 0 ? bytes + texel : bytes;
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ void DeviceScene::upload(std::span<const shared::Work> work) {
 
 void DeviceScene::refill(Texels& texels, std::uint32_t binding, const char* what,
                          std::span<const std::byte> data) {
-  const VkDeviceSize bytes = notPowerOfTwo(std::max<VkDeviceSize>(data.size(), 3 * 16), 16);
+  const VkDeviceSize bytes = alike(std::max<VkDeviceSize>(data.size(), 3 * 16), 16);
   if (texels.buffer.bytes() < bytes) {
     texels.buffer = Buffer(device_, what, Buffer::Use::Texels, bytes);
     texels.view = texels.buffer.texelView(kTexels);
@@ -89,8 +89,7 @@ void DeviceScene::refill(Texels& texels, std::uint32_t binding, const char* what
 
 void DeviceScene::samples(std::uint32_t written, std::uint32_t read, std::uint64_t slots,
                           VkDeviceSize texel, VkFormat format) {
-  Buffer buffer(device_, "samples", Buffer::Use::StorageTexels,
-                notPowerOfTwo(slots * texel, texel));
+  Buffer buffer(device_, "samples", Buffer::Use::StorageTexels, alike(slots * texel, texel));
   bindTexels(written, buffer, format);
   bindTexels(read, buffer, format);
   buffers_.push_back(std::move(buffer));
@@ -107,7 +106,7 @@ void DeviceScene::uploadTexels(std::uint32_t binding, const char* what,
   // A kernel that does not read the binding still needs something bound there.
   const VkDeviceSize texel = texelBytes(format);
   const VkDeviceSize bytes = std::max<VkDeviceSize>(data.size() * sizeof(T) + zeros, 3 * texel);
-  Buffer buffer(device_, what, Buffer::Use::Texels, notPowerOfTwo(bytes, texel));
+  Buffer buffer(device_, what, Buffer::Use::Texels, alike(bytes, texel));
   if (zeros != 0) buffer.fillZero(data.size() * sizeof(T));
   if (!data.empty()) buffer.upload(std::as_bytes(std::span(data)));
   bindTexels(binding, buffer, format);

@@ -42,7 +42,7 @@ Kernels compileKernels(const Device& device, const std::string& traceName,
   SceneData nothing;
   nothing.constants = constants;
   RenderPlan smallest{};
-  smallest.sampleSlots = smallest.bandPixels = 3;  // no power of two, as DeviceScene has it
+  smallest.sampleSlots = smallest.bandPixels = 1;
   const DeviceScene standIn(device, nothing, smallest);
   auto gather = std::async(std::launch::async, [&] {
     // gather_strip.glsl says what it asks for.

@@ -46,7 +46,8 @@ RenderPlan planRender(const VkPhysicalDeviceLimits& limits, Crop core, int width
   // watchdog's seconds.
   std::uint64_t slots = maxSlots == 0 ? std::uint64_t{1} << 22 : maxSlots;
   slots = std::min(slots, limits.maxStorageBufferRange / kSampleBytes);
-  slots = std::min<std::uint64_t>(slots, limits.maxTexelBufferElements);
+  // DeviceScene may add 0x100 bytes and a texel, of 4 bytes at least.
+  slots = std::min<std::uint64_t>(slots, limits.maxTexelBufferElements - 65);
   const std::uint64_t filmRows = limits.maxStorageBufferRange / sizeof(shared::FilmPixel) /
                                  static_cast<std::uint64_t>(core.x1 - core.x0);
 
