@@ -14,6 +14,7 @@ constexpr int kLines = 5;
 RasterCanvas::RasterCanvas(int width, int height) : bitmap_(width, height, {255, 255, 255}) {}
 
 void RasterCanvas::cover(int x, int y, double share, Rgb8 colour) {
+  share = std::round(share * 32.0) / 32.0;  // few colours make small files
   if (x < 0 || y < 0 || x >= bitmap_.width || y >= bitmap_.height) return;
   Rgb8& pixel = bitmap_.at(x, y);
   for (std::size_t c = 0; c < 3; ++c)
