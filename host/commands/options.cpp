@@ -55,6 +55,17 @@ std::string layerList() {
   return list;
 }
 
+void addSize(CLI::App& app, std::optional<glm::ivec2>& size, const std::string& meaning) {
+  app.add_option_function<std::string>(
+         "--size",
+         [&size](const std::string& text) {
+           const auto v = integers("--size", text, 'x', 2, "WIDTHxHEIGHT");
+           size = glm::ivec2(v[0], v[1]);
+         },
+         meaning)
+      ->type_name("WxH");
+}
+
 /// The options that change how a scene is rendered.
 void addSceneOptions(CLI::App& app, SceneCommand& command) {
   app.add_option("--spp", command.overrides.sampleCount, "samples a pixel")
@@ -104,14 +115,7 @@ void addSceneOptions(CLI::App& app, SceneCommand& command) {
          },
          "reconstruction filter: gaussian, mitchell, tent or box")
       ->type_name("NAME");
-  app.add_option_function<std::string>(
-         "--size",
-         [&](const std::string& text) {
-           const auto v = integers("--size", text, 'x', 2, "WIDTHxHEIGHT");
-           command.overrides.size = glm::ivec2(v[0], v[1]);
-         },
-         "size of the film in pixels")
-      ->type_name("WxH");
+  addSize(app, command.overrides.size, "size of the film in pixels");
   app.add_option_function<std::string>(
          "--crop",
          [&](const std::string& text) {
@@ -167,14 +171,7 @@ void addChartOptions(CLI::App& app, ChartCommand& command) {
       ->required();
   app.add_option("--out", command.out, "folder of the chart; what is kept there is not done again")
       ->type_name("DIR");
-  app.add_option_function<std::string>(
-         "--size",
-         [&](const std::string& text) {
-           const auto v = integers("--size", text, 'x', 2, "WIDTHxHEIGHT");
-           command.size = glm::ivec2(v[0], v[1]);
-         },
-         "size of the film in pixels; default 256 wide")
-      ->type_name("WxH");
+  addSize(app, command.size, "size of the film in pixels; default 256 wide");
   app.add_option("--device", command.device, "as in rendering");
   app.add_option("-t,--threads", command.threads, "as in rendering")->check(CLI::Range(0U, 4096U));
   app.add_option("--metric", command.metric, "error to show first: rmse, relmse or unexcused")

@@ -46,8 +46,7 @@ RenderPlan planRender(const VkPhysicalDeviceLimits& limits, Crop core, int width
   // watchdog's seconds.
   std::uint64_t slots = maxSlots == 0 ? std::uint64_t{1} << 22 : maxSlots;
   slots = std::min(slots, limits.maxStorageBufferRange / kSampleBytes);
-  // DeviceScene may add 0x100 bytes and a texel, of 4 bytes at least.
-  slots = std::min<std::uint64_t>(slots, limits.maxTexelBufferElements - 65);
+  slots = std::min<std::uint64_t>(slots, limits.maxTexelBufferElements - kMostTexelsAdded);
   const std::uint64_t filmRows = limits.maxStorageBufferRange / sizeof(shared::FilmPixel) /
                                  static_cast<std::uint64_t>(core.x1 - core.x0);
 
@@ -106,14 +105,12 @@ RenderPlan planRender(const VkPhysicalDeviceLimits& limits, Crop core, int width
 RenderPlan planRender(const VkPhysicalDeviceLimits& limits, const Scene& scene,
                       const RenderOptions& options, std::uint32_t apron, std::uint64_t maxSlots) {
   const Camera& camera = scene.camera;
-  std::uint64_t triangles = 0;
-  for (const Mesh& mesh : scene.meshes) triangles += mesh.triangles.size();
   Crop planned = coreOf(scene, options);
   if (options.error != 0.0)
     planned = pilotArea(cropOf(regionOf(planned, apron, camera.width, camera.height)), camera.width,
                         camera.height);
   return planRender(limits, planned, camera.width, camera.height, apron, scene.sampler.sampleCount,
-                    maxSlots, sideBySide(triangles, camera));
+                    maxSlots, sideBySide(scene));
 }
 
 Crop coreOf(const Scene& scene, const RenderOptions& options) {

@@ -9,6 +9,9 @@
 
 namespace laver {
 
+/// DeviceScene adds as many to a texel buffer of 4-byte texels at most: 0x100 bytes and a texel.
+inline constexpr std::uint32_t kMostTexelsAdded = 0x100 / 4 + 1;
+
 /// How a render is cut: bands of rows one after the other, each in passes of few samples, so that
 /// memory grows neither with the film nor with the sample count and every dispatch is short.
 struct RenderPlan {

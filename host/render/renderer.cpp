@@ -36,17 +36,12 @@ Image Renderer::render(const Scene& scene, const RenderOptions& options, Stats& 
 Image Renderer::render(const Scene& scene, const RenderOptions& options, FilmState& state,
                        Stats& stats) {
   std::vector<Rendering> pictures = renderingsOf(scene, options, impl_->options.generic);
-  std::uint64_t triangles = 0;
-  for (const Mesh& mesh : scene.meshes) {
-    triangles += mesh.primitives();
-    stats.droppedTriangles += mesh.droppedTriangles;
-  }
+  for (const Mesh& mesh : scene.meshes) stats.droppedTriangles += mesh.droppedTriangles;
   // Beside the building of the tree: the rest of the device's start, and the kernels.
   auto compiling = std::async(std::launch::async, [&] {
     const StartedVulkan& vulkan = *impl_->vulkan.get();
     stats.traversal = vulkan.traversal;
-    if (impl_->options.traversal.empty() && tooDenseForPackets(triangles, scene))
-      stats.traversal = "lane";
+    if (impl_->options.traversal.empty() && tooDenseForPackets(scene)) stats.traversal = "lane";
     const Stopwatch watch(stats.seconds.compile);
     return compileKernels(vulkan.device, pictures.front().kernel + "_" + stats.traversal,
                           pictures.front().constants);

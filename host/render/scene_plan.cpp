@@ -18,14 +18,14 @@ namespace {
 using Line = ScenePlan::Line;
 
 /// Sets plan.traversal, and says why.
-Line traversal(const Scene& scene, std::uint64_t triangles, const std::string& wanted,
-               const DeviceInfo& device, ScenePlan& plan) {
+Line traversal(const Scene& scene, const std::string& wanted, const DeviceInfo& device,
+               ScenePlan& plan) {
   plan.traversal = traversalFor(device, wanted);
   std::string why = "asked for";
   if (wanted.empty() && plan.traversal == "lane") why = "no subgroups of 8 lanes that shuffle";
   if (wanted.empty() && plan.traversal == "packet") {
     why = "subgroups of 8 lanes that shuffle, up to 5 triangles to a ray";
-    if (tooDenseForPackets(triangles, scene)) {
+    if (tooDenseForPackets(scene)) {
       plan.traversal = "lane";
       why = "more than 5 triangles to a ray";
     }
@@ -124,15 +124,13 @@ ScenePlan planScene(const Scene& scene, const RenderOptions& options,
   plan.device = device.name;
   plan.driver = device.driver;
   const std::vector<Rendering> pictures = renderingsOf(scene, options);
-  std::uint64_t primitives = 0;
-  for (const Mesh& mesh : scene.meshes) primitives += mesh.primitives();
-  const Line traversed = traversal(scene, primitives, wantedTraversal, device, plan);
+  const Line traversed = traversal(scene, wantedTraversal, device, plan);
   SpecConstants constants = constantsOfAll(pictures);
   const std::string kernel = variantOf(pictures.front().kernel + '_' + plan.traversal, constants);
   const SceneData data = packScene(scene, options, constants);
   Facts facts{scene, data, constants[shared::SPEC_STACK]};
   facts.pictures = pictures.size();
-  facts.triangles = primitives;
+  facts.triangles = primitivesOf(scene);
   noteShown(scene.integrator, scene, facts);
   for (const Shown& shown : shownBeside(options.more, options.layers))
     noteShown(shown.integrator, scene, facts);

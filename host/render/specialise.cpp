@@ -14,10 +14,8 @@ constexpr std::uint32_t kLikelyStack = shared::PLAIN[shared::SPEC_STACK];
 
 /// The stack never holds more subtrees than there are triangles.
 std::uint32_t likelyStack(const Scene& scene) {
-  std::uint64_t triangles = 0;
-  for (const Mesh& mesh : scene.meshes) triangles += mesh.primitives();
   return static_cast<std::uint32_t>(
-      std::clamp<std::uint64_t>((triangles + 7) / 8 * 8, 8, kLikelyStack));
+      std::clamp<std::uint64_t>((primitivesOf(scene) + 7) / 8 * 8, 8, kLikelyStack));
 }
 
 std::uint32_t samplerConstant(Sampler::Kind kind) {

@@ -26,17 +26,17 @@ std::string traversalFor(const DeviceInfo& device, const std::string& wanted) {
   return wanted;
 }
 
-bool tooDenseForPackets(std::uint64_t triangles, const Scene& scene) {
+bool tooDenseForPackets(const Scene& scene) {
   const std::uint64_t rays = static_cast<std::uint64_t>(scene.camera.width) *
                              static_cast<std::uint64_t>(scene.camera.height) *
                              std::min(scene.sampler.sampleCount, 16U);
-  return triangles > 5 * rays;
+  return primitivesOf(scene) > 5 * rays;
 }
 
-std::uint32_t sideBySide(std::uint64_t triangles, const Camera& camera) {
-  const auto pixels =
-      static_cast<std::uint64_t>(camera.width) * static_cast<std::uint64_t>(camera.height);
-  return triangles > pixels ? 64 : 16;
+std::uint32_t sideBySide(const Scene& scene) {
+  const auto pixels = static_cast<std::uint64_t>(scene.camera.width) *
+                      static_cast<std::uint64_t>(scene.camera.height);
+  return primitivesOf(scene) > pixels ? 64 : 16;
 }
 
 }  // namespace laver

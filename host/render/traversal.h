@@ -18,10 +18,10 @@ std::string traversalFor(const DeviceInfo& device, const std::string& wanted);
 /// A packet walks through all that its 64 rays see: with many triangles to a ray, rays by
 /// themselves are sooner done. A bunny of 1.1 million triangles at one sample a pixel, 1 and 17
 /// triangles to a ray: packets take 0.3 and 2.8 times as long as rays by themselves.
-bool tooDenseForPackets(std::uint64_t triangles, const Scene& scene);
+bool tooDenseForPackets(const Scene& scene);
 
 /// 64 samples of a pixel side by side share more of a fine mesh, and less of the film: a bunny of
 /// 1.9 triangles to a pixel is traced 1.25 times as fast as by 16, one of 0.08 0.95 times.
-std::uint32_t sideBySide(std::uint64_t triangles, const Camera& camera);
+std::uint32_t sideBySide(const Scene& scene);
 
 }  // namespace laver

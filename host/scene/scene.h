@@ -107,6 +107,13 @@ inline bool hasSpheres(const Scene& scene) {
                      [](const Mesh& mesh) { return mesh.sphere.has_value(); });
 }
 
+/// Of all meshes.
+inline std::uint64_t primitivesOf(const Scene& scene) {
+  std::uint64_t count = 0;
+  for (const Mesh& mesh : scene.meshes) count += mesh.primitives();
+  return count;
+}
+
 /// What the command line changes in a scene before it is checked.
 struct SceneOverrides {
   std::optional<Integrator> integrator;

@@ -2,7 +2,6 @@
 // moved by 16 ulp, to show that the explanation can fail.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <map>
 
 #include "explain/explain.h"
@@ -53,8 +52,7 @@ LAVER_STABILITY(00, Explained, "Every scene of triangles against the double refe
         full ? loadScene(entry.path().string()).scene : test::smallScene(name, 192, 1);
     VulkanOptions vulkan;
     vulkan.device = testDevice();
-    if (std::any_of(scene.meshes.begin(), scene.meshes.end(),
-                    [](const Mesh& m) { return m.sphere; })) {
+    if (hasSpheres(scene)) {
       EXPECT_THROW(explain(scene, scene, vulkan), Error) << name;  // cases 18 to 20 are of spheres
       continue;
     }
