@@ -11,10 +11,11 @@ struct Gathered {
   float share;  // what it counts for, where pixels have counts of their own
 };
 
-Gathered gathered(int x, int y, uint s) {
-  const bool exists = x >= 0 && y >= 0 && x < int(pass.region.z) && y < int(pass.region.w);
-  const uvec2 place = exists ? uvec2(x, y) : uvec2(0u);
-  const int slot = sampleSlot(uvec3(place, s));
+bool inRegion(int x, int y) {
+  return x >= 0 && y >= 0 && x < int(pass.region.z) && y < int(pass.region.w);
+}
+
+Gathered gathered(uvec2 place, uint s, int slot, bool exists) {
   Gathered g;
   g.value = texelFetch(sampleTexels, slot);
   g.inY = texelFetch(sampleYTexels, slot).r;

@@ -57,15 +57,16 @@ layout(binding = BIND_IMAGES) uniform usamplerBuffer imageTexels;
 
 vec3 texelVec3(uvec4 texel) { return uintBitsToFloat(texel.xyz); }
 
-// Where sample s of region pixel (x, y) lies: in columns as wide as what a group gathers, so that it
-// goes through memory from front to back.
+// Of SLOT_COLUMNS pixels of a row, the samples that are summed together.
+uint slotsABlock() { return min(pass.samples.y, GATHER_SAMPLES) * SLOT_COLUMNS; }
+
+// Where sample s of region pixel (x, y) lies: block after block along a row, row after row. Tracing
+// goes through memory from front to back, and so do strips, which are a block wide (gather_strip.glsl).
 int sampleSlot(uvec3 xys) {
-  const bool whole = pass.samples.y >= GATHER_SAMPLES;
-  const uint unit = whole ? GATHER_SAMPLES : pass.samples.y;
-  const uint units = whole ? (pass.samples.y + GATHER_SAMPLES - 1u) / GATHER_SAMPLES : 1u;
-  const uint number = whole ? xys.z / GATHER_SAMPLES : 0u;
-  const uint block = (xys.x / GATHER_GROUP * units + number) * pass.region.w + xys.y;
-  return int((block * unit + (xys.z - number * GATHER_SAMPLES)) * GATHER_GROUP + xys.x % GATHER_GROUP);
+  const uint blocksARow = (pass.region.z + SLOT_COLUMNS - 1u) / SLOT_COLUMNS;
+  const uint row = xys.z / GATHER_SAMPLES * pass.region.w + xys.y;
+  const uint block = row * blocksARow + xys.x / SLOT_COLUMNS;
+  return int(block * slotsABlock() + xys.z % GATHER_SAMPLES * SLOT_COLUMNS + xys.x % SLOT_COLUMNS);
 }
 
 #endif

@@ -51,7 +51,7 @@ RenderPlan planRender(const VkPhysicalDeviceLimits& limits, Crop core, int width
                                  static_cast<std::uint64_t>(core.x1 - core.x0);
 
   const glm::uvec4 full = regionOf(core, apron, width, height);
-  const std::uint64_t a = apron, slotsARow = roundedUp(full.z, shared::GATHER_GROUP);
+  const std::uint64_t a = apron, slotsARow = roundedUp(full.z, shared::SLOT_COLUMNS);
   const std::uint64_t unit = std::min(samples, shared::GATHER_SAMPLES);
   const std::uint64_t fewestRows = std::min<std::uint64_t>(2 * a + 1, full.w);
   const std::uint64_t smallest = slotsARow * fewestRows * unit;

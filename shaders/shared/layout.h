@@ -84,6 +84,7 @@ LAVER_CONST uint PLAIN[SPEC_CONSTANTS] = {
     0u, 0u, BACKGROUND_BLACK, 1u, 0u, 4u, 0u};                // from SPEC_TEXTURES
 
 LAVER_CONST uint GATHER_GROUP = 64;  // columns
+LAVER_CONST uint SLOT_COLUMNS = 8;   // pixels of a row whose samples are stored together
 // Samples of a pixel that are summed plainly before a compensated sum takes them: a pass holds a
 // multiple of them, so that cutting a render into passes changes no bit.
 LAVER_CONST uint GATHER_SAMPLES = 8;
