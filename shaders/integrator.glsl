@@ -104,8 +104,8 @@ void main() {
     dropped += !keep && rays.live[r] && all(lessThan(corePixel, pass.core.zw)) ? 1u : 0u;
     const vec4 result = keep ? vec4(radiance[r], inside[r].x) : vec4(0.0, 0.0, 0.0, DROPPED);
     if (rays.live[r]) {
-      imageStore(samples, slot[r], result);
-      imageStore(samplesY, slot[r], vec4(inside[r].y));
+      samples[slot[r]] = stored(result);
+      samplesY[slot[r]] = inside[r].y;
     }
   }
   if (dropped > 0u) atomicAdd(status.dropped, dropped);

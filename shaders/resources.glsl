@@ -35,6 +35,20 @@ layout(std140, binding = BIND_PARAMS) uniform ParamsBlock { Params params; };
   (KNOWN_FILTER == FILTER_AT_RUN_TIME ? uint(params.filterArgs.w) : KNOWN_FILTER)
 layout(push_constant) uniform PassBlock { Pass pass; };
 
+// A vec4 as kernels store it. lavapipe stores number by number and lane by lane, so that two 64-bit
+// numbers take half the time of four floats.
+#ifdef LAVER_PACKET
+#extension GL_ARB_gpu_shader_int64 : require
+#define Stored u64vec2
+Stored stored(vec4 v) {
+  const uvec4 bits = floatBitsToUint(v);
+  return Stored(packUint2x32(bits.xy), packUint2x32(bits.zw));
+}
+#else
+#define Stored vec4
+Stored stored(vec4 v) { return v; }
+#endif
+
 // uvec4 texels: floats keep their bits, denormals and NaN patterns included.
 layout(binding = BIND_NODES) uniform usamplerBuffer nodeTexels;
 layout(binding = BIND_TRIANGLES) uniform usamplerBuffer triangleTexels;
@@ -43,8 +57,8 @@ layout(binding = BIND_NORMALS) uniform usamplerBuffer normalTexels;
 layout(binding = BIND_MATERIALS) uniform usamplerBuffer materialTexels;
 layout(binding = BIND_LIGHTS) uniform usamplerBuffer lightTexels;
 layout(binding = BIND_JUMPS) uniform usamplerBuffer jumpTexels;
-layout(binding = BIND_SAMPLES, rgba32f) uniform writeonly imageBuffer samples;
-layout(binding = BIND_SAMPLES_Y, r32f) uniform writeonly imageBuffer samplesY;
+layout(binding = BIND_SAMPLES) writeonly buffer SamplesBlock { Stored samples[]; };
+layout(binding = BIND_SAMPLES_Y) writeonly buffer SamplesYBlock { float samplesY[]; };
 layout(binding = BIND_FILM) buffer FilmBlock { FilmPixel filmPixels[]; };
 layout(binding = BIND_STATUS) buffer StatusBlock { Status status; };
 layout(binding = BIND_SAMPLE_TEXELS) uniform samplerBuffer sampleTexels;

@@ -23,9 +23,8 @@ std::array<VkDescriptorType, shared::BINDINGS> bindingTypes() {
   std::array<VkDescriptorType, shared::BINDINGS> types;
   types.fill(VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER);
   types[shared::BIND_PARAMS] = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-  for (const auto b : {shared::BIND_SAMPLES, shared::BIND_SAMPLES_Y})
-    types[b] = VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER;
-  for (const auto b : {shared::BIND_FILM, shared::BIND_STATUS})
+  for (const auto b :
+       {shared::BIND_SAMPLES, shared::BIND_SAMPLES_Y, shared::BIND_FILM, shared::BIND_STATUS})
     types[b] = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
   return types;
 }
@@ -90,7 +89,7 @@ void DeviceScene::refill(Texels& texels, std::uint32_t binding, const char* what
 void DeviceScene::samples(std::uint32_t written, std::uint32_t read, std::uint64_t slots,
                           VkDeviceSize texel, VkFormat format) {
   Buffer buffer(device_, "samples", Buffer::Use::StorageTexels, alike(slots * texel, texel));
-  bindTexels(written, buffer, format);
+  bindings_.bind(written, buffer);
   bindTexels(read, buffer, format);
   buffers_.push_back(std::move(buffer));
 }

@@ -22,7 +22,8 @@ Line traversal(const Scene& scene, const std::string& wanted, const DeviceInfo& 
                ScenePlan& plan) {
   plan.traversal = traversalFor(device, wanted);
   std::string why = "asked for";
-  if (wanted.empty() && plan.traversal == "lane") why = "no subgroups of 8 lanes that shuffle";
+  if (wanted.empty() && plan.traversal == "lane")
+    why = "no subgroups of 8 lanes that shuffle, or no 64-bit integers";
   if (wanted.empty() && plan.traversal == "packet") {
     why = "subgroups of 8 lanes that shuffle, up to 5 triangles to a ray";
     if (tooDenseForPackets(scene)) {

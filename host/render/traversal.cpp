@@ -9,16 +9,19 @@
 namespace laver {
 
 std::string bestTraversal(const DeviceInfo& device) {
-  return device.subgroupSize == 8 && device.shuffles ? "packet" : "lane";
+  return device.subgroupSize == 8 && device.shuffles && device.longs ? "packet" : "lane";
 }
 
 std::string traversalFor(const DeviceInfo& device, const std::string& wanted) {
   std::string best = bestTraversal(device);
   if (wanted.empty()) return best;
   if (wanted == "packet" && best != "packet")
-    throw Error(ExitCode::Device,
-                fmt::format("traversal packet needs subgroups of 8 lanes that shuffle; {} has {}",
-                            device.name, device.subgroupSize));
+    throw Error(
+        ExitCode::Device,
+        fmt::format("traversal packet needs subgroups of 8 lanes that shuffle, and 64-bit "
+                    "integers; {} has subgroups of {}{}{}",
+                    device.name, device.subgroupSize, device.shuffles ? "" : " that do not shuffle",
+                    device.longs ? "" : ", and no such integers"));
   if (wanted != "packet" && wanted != "lane")
     throw Error(ExitCode::Usage, fmt::format("no traversal is named \"{}\"; there are lane and "
                                              "packet",

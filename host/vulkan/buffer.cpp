@@ -20,8 +20,7 @@ VkBufferUsageFlags usage(Buffer::Use use) {
     case Buffer::Use::StorageTexels:
       break;
   }
-  return transfer | VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT |
-         VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
+  return transfer | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
 }
 
 Handle<VkBuffer> createBuffer(const Device& device, VkBufferUsageFlags flags, VkDeviceSize bytes) {
@@ -49,7 +48,8 @@ Buffer::Buffer(const Device& device, const char* what, Use use, VkDeviceSize byt
                                                 limit, available));
   };
   require("maxMemoryAllocationSize", device.maxAllocation());
-  if (use == Use::Storage) require("maxStorageBufferRange", limits.maxStorageBufferRange);
+  if (use == Use::Storage || use == Use::StorageTexels)
+    require("maxStorageBufferRange", limits.maxStorageBufferRange);
   if (use == Use::Uniform) require("maxUniformBufferRange", limits.maxUniformBufferRange);
   buffer_ = createBuffer(device, usage(use), bytes);
   allocate(device, what, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | kHost,

@@ -32,9 +32,12 @@ Device::Device(VkPhysicalDevice physical) : info_(deviceInfo(physical)) {
   queue.queueFamilyIndex = family;
   queue.queueCount = 1;
   queue.pQueuePriorities = &priority;
+  VkPhysicalDeviceFeatures features{};
+  features.shaderInt64 = info_.longs ? VK_TRUE : VK_FALSE;
   VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
   info.queueCreateInfoCount = 1;
   info.pQueueCreateInfos = &queue;
+  info.pEnabledFeatures = &features;
   check(vkCreateDevice(physical, &info, nullptr, &device_), "vkCreateDevice");
   volkLoadDevice(device_);
   vkGetDeviceQueue(device_, family, 0, &queue_);

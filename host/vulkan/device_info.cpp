@@ -45,6 +45,9 @@ DeviceInfo deviceInfo(VkPhysicalDevice device) {
   info.limits = properties.limits;
   info.computeFamily = computeFamily(device);
   vkGetPhysicalDeviceMemoryProperties(device, &info.memory);
+  VkPhysicalDeviceFeatures features;
+  vkGetPhysicalDeviceFeatures(device, &features);
+  info.longs = features.shaderInt64 == VK_TRUE;
   if (info.apiVersion < VK_API_VERSION_1_1) return info;
 
   VkPhysicalDeviceMaintenance3Properties maintenance{

@@ -16,6 +16,7 @@ struct DeviceInfo {
   int computeFamily = -1;           ///< first queue family that computes; -1: none does
   std::uint32_t subgroupSize = 0;   ///< 0 before Vulkan 1.1
   bool shuffles = false;            ///< subgroups of compute shaders shuffle
+  bool longs = false;               ///< shaders compute with 64-bit integers
   std::uint64_t maxAllocation = 0;  ///< maxMemoryAllocationSize in bytes; 0 before Vulkan 1.1
   VkPhysicalDeviceLimits limits{};
   VkPhysicalDeviceMemoryProperties memory{};

@@ -5,8 +5,7 @@
 
 LAVER_SHARED_BEGIN
 
-// Bindings of descriptor set 0. T: texel buffer of uvec4, S: storage buffer, U: uniform buffer,
-// I: storage texel buffer.
+// Bindings of descriptor set 0. T: texel buffer of uvec4, S: storage buffer, U: uniform buffer.
 LAVER_CONST uint BIND_PARAMS = 0;      // U Params
 LAVER_CONST uint BIND_NODES = 1;       // T Node
 LAVER_CONST uint BIND_TRIANGLES = 2;   // T Triangle
@@ -15,8 +14,8 @@ LAVER_CONST uint BIND_NORMALS = 4;     // T vec4, one a vertex normal
 LAVER_CONST uint BIND_MATERIALS = 5;   // T Material
 LAVER_CONST uint BIND_LIGHTS = 6;      // T Light
 LAVER_CONST uint BIND_JUMPS = 7;       // T Jump
-LAVER_CONST uint BIND_SAMPLES = 8;     // I vec4, one a sample: r, g, b, x in its pixel or DROPPED
-LAVER_CONST uint BIND_SAMPLES_Y = 9;   // I float, one a sample: y in its pixel
+LAVER_CONST uint BIND_SAMPLES = 8;     // S vec4, one a sample: r, g, b, x in its pixel or DROPPED
+LAVER_CONST uint BIND_SAMPLES_Y = 9;   // S float, one a sample: y in its pixel
 LAVER_CONST uint BIND_FILM = 10;       // S FilmPixel
 LAVER_CONST uint BIND_STATUS = 11;     // S Status
 LAVER_CONST uint BIND_SAMPLE_TEXELS = 12;    // T of vec4: the samples, for reading

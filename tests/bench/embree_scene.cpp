@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <iostream>
-#include <regex>
 #include <sstream>
 
 #include "core/error.h"
@@ -30,11 +29,14 @@ EmbreeDevice::EmbreeDevice(const std::string& config) {
   std::cout.rdbuf(before);
   check(nullptr, "rtcNewDevice");
   const std::string text = said.str();
-  std::smatch match;
   const auto version = rtcGetDeviceProperty(device_, RTC_DEVICE_PROPERTY_VERSION);
   description_ = fmt::format("{}.{}.{}", version / 10000, version / 100 % 100, version % 100);
-  if (std::regex_search(text, match, std::regex("Targets *: .*?([A-Z0-9.]+) +\\(supported")))
-    description_ += ", " + match[1].str();
+  // "Targets : SSE4.2 AVX AVX2  (supported)": the last.
+  if (const auto supported = text.find(" (supported"); supported != std::string::npos) {
+    const auto end = text.find_last_not_of(' ', supported);
+    const auto begin = text.find_last_of(' ', end);
+    description_ += ", " + text.substr(begin + 1, end - begin);
+  }
   description_ += ", native packets of";
   for (const auto& [property, width] :
        {std::pair(RTC_DEVICE_PROPERTY_NATIVE_RAY4_SUPPORTED, " 4"),

@@ -70,12 +70,19 @@ bool isArithmetic(const std::string& op) {
   return ops.count(op) != 0;
 }
 
+/// Compares and conversions have a result of another type, or are none of what is counted.
+bool isIntegerArithmetic(const std::string& op) {
+  for (const char* prefix : {"OpI", "OpU", "OpS", "OpBit", "OpNot", "OpAtomic"})
+    if (startsWith(op, prefix)) return op != "OpBitcast" && op != "OpSelect";
+  return false;
+}
+
 }  // namespace
 
 KernelCounts countOf(const std::string& disassembly) {
   KernelCounts kernel;
   std::map<std::string, std::string> names;
-  std::set<std::string> decorated;
+  std::set<std::string> decorated, longs;
   FunctionCounts* current = nullptr;
   std::istringstream lines(disassembly);
   for (std::string line; std::getline(lines, line);) {
@@ -90,16 +97,23 @@ KernelCounts countOf(const std::string& disassembly) {
       words >> third;
       if (third == "NoContraction") decorated.insert(second);
     } else if (first == "OpCapability") {
-      if (second == "Float64" || second == "Int64") ++kernel.wide;
+      kernel.doubles += second == "Float64" ? 1 : 0;
+      kernel.longs += second == "Int64" ? 1 : 0;
     } else if (second == "=") {
       words >> third;
       std::string type, set, function;
       if (third == "OpFunction") current = &kernel.functions[names[first]];
-      if (third == "OpTypeFloat" || third == "OpTypeInt") {
-        words >> type;
-        if (type == "64") ++kernel.wide;
-      }
+      if (third == "OpTypeFloat" || third == "OpTypeInt" || third == "OpTypeVector") words >> type;
+      if (third == "OpTypeFloat" && type == "64") ++kernel.doubles;
+      if (third == "OpTypeInt" && type == "64") ++kernel.longs;
+      if ((third == "OpTypeInt" && type == "64") ||
+          (third == "OpTypeVector" && longs.count(type) != 0))
+        longs.insert(first);
       if (current == nullptr) continue;
+      if (isIntegerArithmetic(third)) {
+        words >> type;
+        kernel.longArithmetic += longs.count(type) != 0 ? 1 : 0;
+      }
       if (isArithmetic(third)) {
         ++current->arithmetic;
         current->decorated += decorated.count(first) != 0 ? 1 : 0;
@@ -113,9 +127,13 @@ KernelCounts countOf(const std::string& disassembly) {
   return kernel;
 }
 
-std::vector<std::string> lint(const KernelCounts& kernel) {
+std::vector<std::string> lint(const KernelCounts& kernel, bool packet) {
   std::vector<std::string> faults;
-  if (kernel.wide != 0) faults.push_back(fmt::format("{} 64-bit types", kernel.wide));
+  if (kernel.doubles != 0) faults.emplace_back("64-bit floats");
+  if (kernel.longs != 0 && !packet) faults.emplace_back("64-bit integers");
+  if (kernel.longArithmetic != 0)
+    faults.push_back(
+        fmt::format("{} instructions compute with 64-bit integers", kernel.longArithmetic));
   for (const auto& [name, counts] : kernel.functions) {
     const auto precise = kPrecise.find(name);
     if (precise != kPrecise.end() &&

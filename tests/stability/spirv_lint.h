@@ -15,14 +15,17 @@ struct FunctionCounts {
 /// What a lint wants to know of a kernel.
 struct KernelCounts {
   std::map<std::string, FunctionCounts> functions;  ///< by source name
-  int wide = 0;                                     ///< 64-bit types and capabilities
+  int doubles = 0;                                  ///< 64-bit float types and their capability
+  int longs = 0;                                    ///< 64-bit integer types and their capability
+  int longArithmetic = 0;                           ///< instructions that compute with them
 };
 
 /// Reads what spirv-dis prints.
 KernelCounts countOf(const std::string& disassembly);
 
-/// The faults of one kernel, one line each.
-std::vector<std::string> lint(const KernelCounts& kernel);
+/// The faults of one kernel, one line each. Those of packets may pass on pairs of floats as 64-bit
+/// integers, which `packet` asks of a device; others need no more than any device has.
+std::vector<std::string> lint(const KernelCounts& kernel, bool packet = false);
 
 /// Share of the kernel's arithmetic that carries NoContraction, over all its functions.
 double decoratedShare(const KernelCounts& kernel);

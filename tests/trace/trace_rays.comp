@@ -16,7 +16,7 @@ layout(binding = BINDINGS) uniform usamplerBuffer inputTexels;
 #ifdef LAVER_VISIBLE
 layout(binding = BINDINGS + 1) writeonly buffer SeenBlock { uint seenOf[]; };
 #else
-layout(binding = BINDINGS + 1) writeonly buffer HitBlock { vec4 hitOf[]; };  // t, u, v, id
+layout(binding = BINDINGS + 1) writeonly buffer HitBlock { Stored hitOf[]; };  // t, u, v, id
 #endif
 // Here Pass holds: region.x the count; core.xyz the light, as bits of floats.
 
@@ -70,7 +70,7 @@ void main() {
     vec4 result = vec4(rays.tmax[r], 0.0, 0.0, uintBitsToFloat(NO_HIT));
     if (hits.slot[r] != NO_HIT) result = 
           hitAt(rays.origin, rays.direction[r], rays.tmin[r], hits.slot[r]);
-    hitOf[numberOf(r)] = result;
+    hitOf[numberOf(r)] = stored(result);
   }
   if (loopsWereCut()) atomicAdd(status.incomplete, 1u);
 }

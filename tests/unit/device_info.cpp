@@ -106,6 +106,8 @@ TEST(DescribeDevice, TellsTheTraversal) {
   info.subgroupSize = 8;
   EXPECT_TRUE(runs("lane"));
   info.shuffles = true;
+  EXPECT_TRUE(runs("lane"));
+  info.longs = true;
   EXPECT_TRUE(runs("packet"));
   info.subgroupSize = 32;
   EXPECT_TRUE(runs("lane"));
