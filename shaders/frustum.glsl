@@ -7,10 +7,6 @@
 #include "rays.glsl"
 #include "shared/box.h"
 
-// Rays walk together whose slopes differ from the leader's by no more than this: wide frusta meet
-// too much of the tree.
-const float WINDOW = 0.02;
-
 uint lane() { return gl_SubgroupInvocationID; }
 
 float minOfLanes(float x) {
@@ -58,7 +54,8 @@ bool meets(Frustum f, vec3 low, vec3 high) {
          mostU >= low.x - f.window.z && mostV >= low.y - f.window.w;
 }
 
-// Takes the rays that may walk with the first that waits out of `waiting`. Bounds the slopes of the
+// Takes the rays that may walk with the first that waits, whose slopes differ by no more than the
+// scene allows, out of `waiting`. Bounds the slopes of the
 // whole group in `f`, of this lane's rays in `own`.
 uint gatherGroup(Shear shears[R], inout uint waiting, inout Frustum f, inout Frustum own) {
   const uint leadLane = uint(findLSB(orOfLanes(waiting != 0u ? 1u << lane() : 0u))) & 7u;
@@ -77,7 +74,7 @@ uint gatherGroup(Shear shears[R], inout uint waiting, inout Frustum f, inout Fru
     const bool leads = lane() == leadLane && r == leadRay;
     const bool joins = leads || ((waiting >> r & 1u) != 0u && s.axis == f.axis.axis &&
                                  s.sign == f.axis.sign &&
-                                 greater(abs(s.u - u), abs(s.v - v)) <= WINDOW);
+                                 greater(abs(s.u - u), abs(s.v - v)) <= params.origin.w);
     group |= joins ? 1u << r : 0u;
     const vec4 wider = hull(f.slopes, vec2(s.u, s.v));
     f.slopes = joins ? wider : f.slopes;

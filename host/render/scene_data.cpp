@@ -9,6 +9,7 @@
 #include "render/camera_data.h"
 #include "render/sampler_data.h"
 #include "render/texture_data.h"
+#include "render/traversal.h"
 
 namespace laver {
 namespace {
@@ -192,6 +193,7 @@ SceneData packScene(const Scene& scene, const RenderOptions& options,
     data.params.albedo = glm::vec4(vec3(scene.meshes.front().bsdf.albedo), 0.0F);
   data.params.film.w = data.bvh.root;
   data.params.clip.w = reachOf(scene, data.space);
+  data.params.origin.w = packetWindow(primitivesOf(scene));
   return data;
 }
 

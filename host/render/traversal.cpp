@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.h"
 
@@ -34,6 +35,11 @@ bool tooDenseForPackets(const Scene& scene) {
                              static_cast<std::uint64_t>(scene.camera.height) *
                              std::min(scene.sampler.sampleCount, 16U);
   return primitivesOf(scene) > 5 * rays;
+}
+
+float packetWindow(std::uint64_t primitives) {
+  const double alike = 8.0 / std::sqrt(static_cast<double>(std::max<std::uint64_t>(primitives, 1)));
+  return static_cast<float>(std::clamp(alike, 0.02, 1.0));
 }
 
 std::uint32_t sideBySide(const Scene& scene) {

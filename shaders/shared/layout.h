@@ -206,7 +206,7 @@ struct Work {
 
 // std140: rows of 16 bytes.
 struct Params {
-  vec4 origin;     // camera, normalised space
+  vec4 origin;     // camera, normalised space; how far slopes of rays that walk together may differ
   vec4 columnX;    // ray direction = columnX * (width - 2 px) + columnY * (height - 2 py) + columnZ
   vec4 columnY;
   vec4 columnZ;

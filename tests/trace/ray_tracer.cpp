@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/device_scene.h"
+#include "render/traversal.h"
 #include "vulkan/bindings.h"
 #include "vulkan/kernel.h"
 
@@ -58,6 +59,7 @@ struct RayTracer::Impl {
         visible(kernelOf(d, bindings, "visible", traversal, bvh)) {
     shared::Params values{};
     values.film.w = bvh.root;
+    values.origin.w = packetWindow(bvh.triangles.size());
     params.upload(std::as_bytes(std::span(&values, 1)));
     bindings.bind(shared::BIND_PARAMS, params);
     bindings.bind(shared::BIND_STATUS, status);

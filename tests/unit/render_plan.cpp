@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "render/plan.h"
+#include "render/traversal.h"
 
 namespace laver {
 namespace {
@@ -73,6 +74,14 @@ TEST(RenderPlan, AFilmTooWideIsRefusedByTheLimitsName) {
     EXPECT_NE(std::string(error.what()).find("maxStorageBufferRange"), std::string::npos);
     EXPECT_NE(std::string(error.what()).find("500000"), std::string::npos);
   }
+}
+
+TEST(PacketWindow, NarrowsWithThePrimitivesAndHolds) {
+  EXPECT_EQ(packetWindow(0), 1.0F);
+  EXPECT_EQ(packetWindow(12), 1.0F);
+  EXPECT_FLOAT_EQ(packetWindow(6400), 0.1F);
+  EXPECT_FLOAT_EQ(packetWindow(25600), 0.05F);
+  EXPECT_EQ(packetWindow(10'000'000), 0.02F);
 }
 
 }  // namespace
