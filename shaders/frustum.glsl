@@ -54,9 +54,9 @@ bool meets(Frustum f, vec3 low, vec3 high) {
          mostU >= low.x - f.window.z && mostV >= low.y - f.window.w;
 }
 
-// Takes the rays that may walk with the first that waits, whose slopes differ by no more than the
-// scene allows, out of `waiting`. Bounds the slopes of the
-// whole group in `f`, of this lane's rays in `own`.
+// Takes the rays out of `waiting` that may walk with the first that waits: their slopes differ from
+// its own by no more than the scene allows (packetWindow). Bounds the slopes of the whole group in
+// `f`, of this lane's rays in `own`.
 uint gatherGroup(Shear shears[R], inout uint waiting, inout Frustum f, inout Frustum own) {
   const uint leadLane = uint(findLSB(orOfLanes(waiting != 0u ? 1u << lane() : 0u))) & 7u;
   const uint leadRay = subgroupShuffle(uint(findLSB(waiting)), leadLane);

@@ -36,7 +36,7 @@ layout(std140, binding = BIND_PARAMS) uniform ParamsBlock { Params params; };
 layout(push_constant) uniform PassBlock { Pass pass; };
 
 // A vec4 as kernels store it. lavapipe stores number by number and lane by lane, so that two 64-bit
-// numbers take half the time of four floats.
+// numbers take less time than four floats.
 #ifdef LAVER_PACKET
 #extension GL_ARB_gpu_shader_int64 : require
 #define Stored u64vec2

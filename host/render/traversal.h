@@ -8,7 +8,8 @@
 namespace laver {
 
 /// The faster traversal that the device can run: "packet" where subgroups have 8 lanes that
-/// shuffle and integers may have 64 bits, else "lane". A scene too dense for packets goes by lane all the same.
+/// shuffle and integers may have 64 bits, else "lane". A scene too dense for packets goes by lane
+/// all the same.
 std::string bestTraversal(const DeviceInfo& device);
 
 /// The traversal to run: `wanted`, or the faster one that the device can. Throws Error(Usage) for
