@@ -47,7 +47,9 @@ void main() {
     [[unroll]] for (uint c = 0u; c < COLUMNS; ++c)
       [[unroll]] for (uint k = 0u; k < REACH; ++k) sums[c][k] = vec4(0.0);
     for (int row = first - apron; row < end + apron; ++row) {
-      for (uint s = group; s < groupEnd; ++s) addRow(sums, column + shift.x, row + shift.y, s);
+      // A loop that ends at its foot: lavapipe copies all sums once more for one that ends at its head.
+      uint s = group;
+      do addRow(sums, column + shift.x, row + shift.y, s); while (++s < groupEnd);
       const int done = row - apron;
       [[unroll]] for (uint c = 0u; c < COLUMNS; ++c) {
         const int x = column + int(c);

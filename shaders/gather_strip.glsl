@@ -1,31 +1,64 @@
 // Gathering on CPU drivers, APRON <= 4: an invocation sums for a strip of 8 columns, so that it
-// weighs a sample once for all of them.
+// weighs a sample once for all of them. The aprons' samples are those of the strips beside it, whose
+// lanes hand them on.
 #ifndef LAVER_GATHER_STRIP
 #define LAVER_GATHER_STRIP
+#extension GL_KHR_shader_subgroup_basic : require
+#extension GL_KHR_shader_subgroup_shuffle : require
 #include "gathered.glsl"
 
 const uint COLUMNS = SLOT_COLUMNS;
+const uint WIDTH = COLUMNS + 2u * APRON;
+
+// What lane `from` has of its strip; at the end of the row of lanes, what lane `lender` read alone.
+float handed(float mine, float alone, uint from, bool atEnd, uint lender) {
+  const float there = subgroupShuffle(mine, from), read = subgroupShuffle(alone, lender);
+  return atEnd ? read : there;
+}
+
+void hand(Weighed mine, Weighed alone, uint from, bool atEnd, uint lender, out Weighed w) {
+  [[unroll]] for (uint i = 0u; i < 3u; ++i)
+    w.radiance[i] = handed(mine.radiance[i], alone.radiance[i], from, atEnd, lender);
+  [[unroll]] for (uint k = 0u; k < REACH; ++k) {
+    w.x[k] = handed(mine.x[k], alone.x[k], from, atEnd, lender);
+    w.y[k] = handed(mine.y[k], alone.y[k], from, atEnd, lender);
+  }
+}
 
 // Adds samples number s of a row of pixels to what they reach of columns x to x + 7 of the region.
 void addRow(inout vec4 sums[COLUMNS][REACH], int x, int row, uint s) {
-  const uint WIDTH = COLUMNS + 2u * APRON;
-  // The strip's columns are a block of slots, its aprons lie in the blocks beside it.
-  const int start = sampleSlot(uvec3(max(ivec2(x, row), 0), s));
-  const int gap = int(slotsABlock() - SLOT_COLUMNS);
-  Gathered g[WIDTH];  // read at once, so that few wait for memory
-  [[unroll]] for (uint i = 0u; i < WIDTH; ++i) {
-    const int offset = int(i) - int(APRON);
-    const int blocks = offset < 0 ? -1 : offset < int(COLUMNS) ? 0 : 1;
-    const bool exists = inRegion(x + offset, row);
-    const int slot = exists ? start + offset + blocks * gap : 0;
-    g[i] = gathered(exists ? uvec2(x + offset, row) : uvec2(0u), s, slot, exists);
+  // The strip is a block of slots. All is read at once, so that little waits for memory.
+  const int start = inRegion(x, row) ? sampleSlot(uvec3(x, row, s)) : 0;
+  const vec4 left = texelFetch(sampleYTexels, start / 4);
+  const vec4 right = texelFetch(sampleYTexels, start / 4 + 1);
+  Gathered g[COLUMNS];
+  [[unroll]] for (uint c = 0u; c < COLUMNS; ++c)
+    g[c] = gathered(ivec2(x + c, row), s,
+                    texelFetch(sampleTexels, inRegion(x + int(c), row) ? start + int(c) : 0),
+                    c < 4u ? left[c] : right[c - 4u]);
+
+  Weighed w[WIDTH];
+  const uint lane = gl_SubgroupInvocationID;
+  if (ADAPTIVE) {
+    // Strips of a list lie anywhere.
+    [[unroll]] for (uint j = 0u; j < APRON; ++j) {
+      weigh(gathered(ivec2(x + int(j) - int(APRON), row), s), w[j]);
+      weigh(gathered(ivec2(x + COLUMNS + j, row), s), w[APRON + COLUMNS + j]);
+    }
+    [[unroll]] for (uint c = 0u; c < COLUMNS; ++c) weigh(g[c], w[APRON + c]);
+  } else {
+    // Lanes 0 to APRON - 1 read the apron left of lane 0, the next the one right of the last lane.
+    const int end = lane < APRON ? -int(APRON) : int(GATHER_GROUP - APRON);
+    Weighed alone;
+    weigh(gathered(ivec2(x + int(lane) - int(lane * COLUMNS) + end, row), s), alone);
+    [[unroll]] for (uint c = 0u; c < COLUMNS; ++c) weigh(g[c], w[APRON + c]);
+    [[unroll]] for (uint j = 0u; j < APRON; ++j) {
+      hand(w[COLUMNS + j], alone, lane - 1u & 7u, lane == 0u, j, w[j]);
+      hand(w[APRON + j], alone, lane + 1u & 7u, lane == 7u, APRON + j, w[APRON + COLUMNS + j]);
+    }
   }
-  [[unroll]] for (uint i = 0u; i < WIDTH; ++i) {
-    float wx[REACH], wy[REACH];
-    weigh(g[i], wx, wy);
-    [[unroll]] for (uint c = 0u; c < COLUMNS; ++c)
-      if (c <= i && i - c < REACH) addSample(sums[c], g[i].value.rgb, wx[2u * APRON + c - i], wy);
-  }
+  [[unroll]] for (uint c = 0u; c < COLUMNS; ++c)
+    [[unroll]] for (uint k = 0u; k < REACH; ++k) addSample(sums[c], w[c + k], 2u * APRON - k);
 }
 
 #endif

@@ -15,33 +15,45 @@ bool inRegion(int x, int y) {
   return x >= 0 && y >= 0 && x < int(pass.region.z) && y < int(pass.region.w);
 }
 
-Gathered gathered(uvec2 place, uint s, int slot, bool exists) {
-  Gathered g;
-  g.value = texelFetch(sampleTexels, slot);
-  g.inY = texelFetch(sampleYTexels, slot).r;
+// From what is stored: outside the region any sample's value, and any number for inY.
+Gathered gathered(ivec2 place, uint s, vec4 value, float inY) {
+  const bool exists = inRegion(place.x, place.y);
+  Gathered g = Gathered(value, exists ? inY : 0.0, 1.0);
   if (!exists) g.value.w = DROPPED;
   if (ADAPTIVE) {
     // Where nothing was traced lies what an earlier pass left, or nothing yet.
-    g.share = shareOf(place, s);
+    g.share = shareOf(exists ? uvec2(place) : uvec2(0u), s);
     g.value = g.share > 0.0 ? g.value : vec4(0.0, 0.0, 0.0, DROPPED);
     g.inY = g.share > 0.0 ? g.inY : 0.0;
   }
   return g;
 }
 
-// Its weights for the pixels at -APRON to APRON on both axes.
-void weigh(Gathered g, out float wx[REACH], out float wy[REACH]) {
-  filterWeights(g.value.w - 0.5, wx);
-  filterWeights(g.inY - 0.5, wy);
-  if (ADAPTIVE)
-    [[unroll]] for (uint k = 0u; k < REACH; ++k) wy[k] *= g.share;
+Gathered gathered(ivec2 place, uint s) {
+  const int slot = inRegion(place.x, place.y) ? sampleSlot(uvec3(place, s)) : 0;
+  return gathered(place, s, texelFetch(sampleTexels, slot),
+                  texelFetch(sampleYTexels, slot / 4)[slot % 4]);
 }
 
-// Adds one sample to the sums of the rows that it reaches.
-void addSample(inout vec4 sums[REACH], vec3 radiance, float wx, float wy[REACH]) {
+// With its weights for the pixels at -APRON to APRON on both axes.
+struct Weighed {
+  vec3 radiance;
+  float x[REACH], y[REACH];
+};
+
+void weigh(Gathered g, out Weighed w) {
+  w.radiance = g.value.rgb;
+  filterWeights(g.value.w - 0.5, w.x);
+  filterWeights(g.inY - 0.5, w.y);
+  if (ADAPTIVE)
+    [[unroll]] for (uint k = 0u; k < REACH; ++k) w.y[k] *= g.share;
+}
+
+// Adds one sample, weight x[k] of a column, to the sums of the rows that it reaches.
+void addSample(inout vec4 sums[REACH], Weighed sampled, uint column) {
   [[unroll]] for (uint k = 0u; k < REACH; ++k) {
-    precise float w = wx * wy[k];
-    precise vec4 next = sums[k] + vec4(radiance * w, w);
+    precise float w = sampled.x[column] * sampled.y[k];
+    precise vec4 next = sums[k] + vec4(sampled.radiance * w, w);
     sums[k] = next;
   }
 }

@@ -47,7 +47,7 @@ Hits closest(Rays rays) {
       do {
         uint slot, mine;
         const LeafTriangle leaf = loadLeaf(f, own, ref, slot, mine);
-        while (orOfLanes(mine) != 0u) {
+        do {
           const uint from = nextOf(mine);
           const vec3 a = fromLane(leaf.a, from) - origin;
           const vec3 b = fromLane(leaf.b, from) - origin;
@@ -72,7 +72,7 @@ Hits closest(Rays rays) {
             best[r] = nearer ? slot + from : best[r];
             bestId[r] = nearer ? id : bestId[r];
           }
-        }
+        } while (orOfLanes(mine) != 0u);
         own.last = NEVER;
         FOR_RAYS (uint r = 0u; r < R; ++r) own.last = greater(last[r], own.last);
         f.last = maxOfLanes(own.last);
@@ -154,7 +154,7 @@ void visible(vec3 light, vec3 points[R], bool live[R], out bool seen[R]) {
       do {
         uint slot, mine;
         const LeafTriangle leaf = loadLeaf(f, own, ref, slot, mine);
-        while (orOfLanes(mine) != 0u) {
+        do {
           const uint lender = nextOf(mine);
           const vec3 way = vec3(1.0, 1.0, turn);
           const vec3 a = fromLane(leaf.a, lender) * way;
@@ -175,7 +175,7 @@ void visible(vec3 light, vec3 points[R], bool live[R], out bool seen[R]) {
 #endif
             open &= blocked ? ~(1u << r) : ~0u;
           }
-        }
+        } while (orOfLanes(mine) != 0u);
         own.last = (group & open) == 0u ? NEVER : own.last;
         f.last = maxOfLanes(own.last);
         const uint next = pop();

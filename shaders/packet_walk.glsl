@@ -115,8 +115,8 @@ LeafTriangle loadLeaf(Frustum f, Frustum own, uint ref, out uint slot, out uint 
   return t;
 }
 
-// The next of this lane's triangles. A lane that has none left repeats another's: a triangle that
-// is met twice changes nothing.
+// The next of this lane's triangles. A lane that has none left takes the last, of this leaf or of what
+// follows: a triangle that is met twice, or with no need, changes nothing.
 uint nextOf(inout uint mine) {
   const uint from = uint(findLSB(mine)) & 7u;
   mine &= mine - 1u;

@@ -34,8 +34,7 @@ class DeviceScene {
   };
   void refill(Texels& texels, std::uint32_t binding, const char* what,
               std::span<const std::byte> data);
-  void samples(std::uint32_t written, std::uint32_t read, std::uint64_t slots, VkDeviceSize texel,
-               VkFormat format);
+  void samples(std::uint32_t written, std::uint32_t read, std::uint64_t texels);
   void bindTexels(std::uint32_t binding, const Buffer& buffer, VkFormat format);
   template <class T, class A>
   void uploadTexels(std::uint32_t binding, const char* what, const std::vector<T, A>& data,
