@@ -29,7 +29,8 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
 #define ALBEDO(r) albedoOf(surfaces[r])
 #endif
 
-  for (uint i = 0u; i < pass.lights.y; ++i) {
+  uint i = 0u;
+  do {
     const int texel = int((pass.lights.x + i) * 2u);
     const vec3 light = texelVec3(texelFetch(lightTexels, texel));
     const vec3 power = texelVec3(texelFetch(lightTexels, texel + 1));
@@ -53,5 +54,5 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
       const vec3 irradiance = power / squared[r] * cosine[r];
       if (seen[r] && (lit[r] || !DARK_SIDES)) radiance[r] += irradiance * ALBEDO(r) * 0.31830989;
     }
-  }
+  } while (++i < pass.lights.y);
 }

@@ -1,20 +1,22 @@
 // The `lane` traversal: one ray an invocation, a stack of its own.
 //
 // Everything is measured by depth, the distance along the ray's dominant axis k (triangle.h).
+// Since loops end at their foot (lane_stack.glsl), a walk enters the root even where no ray is, and
+// meets a triangle even where no leaf is left.
+//
 // Which hit wins must not depend on the tree, so a node is left out only if its box, grown sideways
 // by a pad, misses the line (box.h), or lies wholly nearer than tmin or farther than the best hit.
 #ifndef LAVER_LANE
 #define LAVER_LANE
 #include "resources.glsl"
+#include "lane_stack.glsl"
 #include "rays.glsl"
 #include "shared/box.h"
 #ifdef LAVER_SPHERES
 #include "shared/sphere.h"
 #endif
 
-uint stackRef[STACK];
-float stackDepth[STACK];
-uint stackSize;
+const float NEVER = -3.4e38;  // depth of a ray that takes no part
 
 struct LaneRay {
   vec3 origin;
@@ -35,29 +37,21 @@ LaneRay laneRay(vec3 origin, vec3 direction, float tmin) {
   return ray;
 }
 
-// The next reference whose node can hold a hit no farther than `last`; REF_NONE if none can.
-uint pop(float last) {
-  uint ref = REF_NONE;
-  while (stackSize > 0u && ref == REF_NONE) {
-    stackSize--;
-    if (stackDepth[stackSize] <= last) ref = stackRef[stackSize];
-  }
-  return ref;
-}
-
-// Pushes the children of a node that the ray can meet up to depth `last`, the nearest on top.
-void pushChildren(LaneRay ray, uint node, float last) {
-  [[unroll]] for (uint turn = 8u; turn-- > 0u;) {
+// Enters a node and returns where to go on, with all that the ray can meet up to depth `last`.
+uint enterNode(LaneRay ray, uint node, float last) {
+  Children children;
+  children.met = 0u;
+  [[unroll]] for (uint turn = 0u; turn < NODE_WIDTH; ++turn) {
     const int texel = int((node * NODE_WIDTH + (turn ^ ray.octant)) * 2u);
     const uvec4 low = texelFetch(nodeTexels, texel);
     const uvec4 high = texelFetch(nodeTexels, texel + 1);
     const BoxSpan span = boxSpan(ray.box, ray.first, texelVec3(low), texelVec3(high));
-    if (span.near <= span.far && span.depth <= last && low.w != REF_NONE) {
-      stackRef[stackSize] = low.w;
-      stackDepth[stackSize] = span.depth;
-      stackSize++;
-    }
+    const bool met = span.near <= span.far && span.depth <= last && low.w != REF_NONE;
+    children.met |= met ? 1u << turn : 0u;
+    children.ref[turn] = low.w;
+    children.depth[turn] = span.depth;
   }
+  return enter(children, last);
 }
 
 struct LaneTriangle {
@@ -93,18 +87,14 @@ LaneTriangle loadTriangle(LaneRay ray, uint slot) {
 
 uint closestLane(vec3 origin, vec3 direction, float tmin, float tmax, bool live) {
   const LaneRay ray = laneRay(origin, direction, tmin);
-  float last = tmax * abs(alongAxis(direction, ray.shear.axis));
+  float last = live ? tmax * abs(alongAxis(direction, ray.shear.axis)) : NEVER;
   uint best = NO_HIT, bestId = NO_HIT;
-  uint ref = live ? params.film.w : REF_NONE;
+  uint ref = params.film.w;
   stackSize = 0u;
-  while (ref != REF_NONE) {
-    while (ref < REF_LEAF) {
-      pushChildren(ray, ref, last);
-      ref = pop(last);
-    }
-    while (ref >= REF_LEAF && ref != REF_NONE) {
-      uint slot = ref & REF_INDEX_MASK;
-      uint more;
+  do {
+    do ref = enterNode(ray, ref, last); while (ref < REF_LEAF);
+    do {
+      uint slot = slotOf(ref), more;
       do {
         const LaneTriangle t = loadTriangle(ray, slot);
         Edges e = edgesOf(ray.shear, t.pa, t.pb, t.pc);
@@ -126,8 +116,8 @@ uint closestLane(vec3 origin, vec3 direction, float tmin, float tmax, bool live)
         slot++;
       } while (more > 0u);
       ref = pop(last);
-    }
-  }
+    } while (ref >= REF_LEAF && ref != REF_NONE);
+  } while (ref != REF_NONE);
   return best;
 }
 
@@ -137,18 +127,14 @@ uint closestLane(vec3 origin, vec3 direction, float tmin, float tmax, bool live)
 bool visibleLane(vec3 point, vec3 way, bool lit, vec3 light, bool live) {
   const LaneRay ray = laneRay(point, way, 0.0);
   // The light's own depth; the slack is the rounding of light - point.
-  const float last = alongAxis(abs(way), ray.shear.axis) * DEPTH_SLACK;
+  const float last = live ? alongAxis(abs(way), ray.shear.axis) * DEPTH_SLACK : NEVER;
   bool blocked = false;
-  uint ref = live ? params.film.w : REF_NONE;
+  uint ref = params.film.w;
   stackSize = 0u;
-  while (ref != REF_NONE) {
-    while (ref < REF_LEAF) {
-      pushChildren(ray, ref, last);
-      ref = pop(last);
-    }
-    while (ref >= REF_LEAF && ref != REF_NONE) {
-      uint slot = ref & REF_INDEX_MASK;
-      uint more;
+  do {
+    do ref = enterNode(ray, ref, last); while (ref < REF_LEAF);
+    do {
+      uint slot = slotOf(ref), more;
       do {
         const LaneTriangle t = loadTriangle(ray, slot);
         const Edges e = edgesOf(ray.shear, t.pa, t.pb, t.pc);
@@ -168,8 +154,8 @@ bool visibleLane(vec3 point, vec3 way, bool lit, vec3 light, bool live) {
       } while (more > 0u);
       if (blocked) stackSize = 0u;
       ref = pop(last);
-    }
-  }
+    } while (ref >= REF_LEAF && ref != REF_NONE);
+  } while (ref != REF_NONE);
   return live && !blocked;
 }
 

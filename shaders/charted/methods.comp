@@ -10,6 +10,7 @@
 #include "charted/triangles.glsl"
 
 layout(constant_id = CHARTED_SPEC_STACK) const uint STACK = 64;
+#include "lane_stack.glsl"
 layout(constant_id = CHARTED_SPEC_QUANTISED) const bool QUANTISED = false;
 
 layout(local_size_x = 64) in;
@@ -20,10 +21,6 @@ layout(binding = CHARTED_HITS) writeonly buffer HitBlock { vec4 hitOf[]; };
 layout(binding = CHARTED_IDS) writeonly buffer IdBlock { uint idOf[]; };
 layout(push_constant) uniform CountBlock { uvec4 count; };  // rays, reference of the root
 
-uint stackRef[STACK];
-float stackDepth[STACK];
-uint stackSize;
-
 vec3 texelVec3(uvec4 texel) { return uintBitsToFloat(texel.xyz); }
 
 // Quantised node (after Ylitie, Karras and Laine, "Efficient Incoherent Ray Traversal on GPUs
@@ -31,16 +28,7 @@ vec3 texelVec3(uvec4 texel) { return uintBitsToFloat(texel.xyz); }
 // a texel a child: lo and hi in steps of 2^exponent from the origin, 8 bits an axis; reference.
 vec3 steps(uint packed) { return vec3(packed & 255u, packed >> 8 & 255u, packed >> 16 & 255u); }
 
-uint pop(float last) {
-  uint ref = REF_NONE;
-  while (stackSize > 0u && ref == REF_NONE) {
-    stackSize--;
-    if (stackDepth[stackSize] <= last) ref = stackRef[stackSize];
-  }
-  return ref;
-}
-
-void pushChildren(WalkRay ray, uint node, float last) {
+uint enterNode(WalkRay ray, uint node, float last) {
   const int first = int(node * (QUANTISED ? NODE_WIDTH + 1u : NODE_WIDTH * 2u));
   uvec4 head = uvec4(0u);
   vec3 size = vec3(0.0);
@@ -48,7 +36,9 @@ void pushChildren(WalkRay ray, uint node, float last) {
     head = texelFetch(nodeTexels, first);
     size = uintBitsToFloat(uvec3(head.w << 23, head.w >> 8 << 23, head.w >> 16 << 23) & 0x7f800000u);
   }
-  [[unroll]] for (uint turn = 8u; turn-- > 0u;) {
+  Children children;
+  children.met = 0u;
+  [[unroll]] for (uint turn = 0u; turn < NODE_WIDTH; ++turn) {
     const uint child = turn ^ ray.octant;
     vec3 lo, hi;
     uint ref;
@@ -66,12 +56,12 @@ void pushChildren(WalkRay ray, uint node, float last) {
       ref = low.w;
     }
     const BoxSpan span = boxOf(ray, lo, hi);
-    if (span.near <= span.far && span.depth <= last && ref != REF_NONE) {
-      stackRef[stackSize] = ref;
-      stackDepth[stackSize] = span.depth;
-      stackSize++;
-    }
+    const bool met = span.near <= span.far && span.depth <= last && ref != REF_NONE;
+    children.met |= met ? 1u << turn : 0u;
+    children.ref[turn] = ref;
+    children.depth[turn] = span.depth;
   }
+  return enter(children, last);
 }
 
 void main() {
@@ -84,17 +74,12 @@ void main() {
   // Depths along the largest component of the direction, as everywhere.
   float last = uintBitsToFloat(way.w) * ray.scale;
   uint best = NO_HIT, bestId = NO_HIT;
-  vec3 found = vec3(0.0);
-  uint ref = live ? count.y : REF_NONE;
+  uint ref = count.y;
   stackSize = 0u;
-  while (ref != REF_NONE) {
-    while (ref < REF_LEAF) {
-      pushChildren(ray, ref, last);
-      ref = pop(last);
-    }
-    while (ref >= REF_LEAF && ref != REF_NONE) {
-      uint slot = ref & REF_INDEX_MASK;
-      uint more;
+  do {
+    do ref = enterNode(ray, ref, last); while (ref < REF_LEAF);
+    do {
+      uint slot = slotOf(ref), more;
       do {
         const uvec4 a = texelFetch(triangleTexels, int(slot) * 3);
         const uvec4 b = texelFetch(triangleTexels, int(slot) * 3 + 1);
@@ -111,8 +96,8 @@ void main() {
         slot++;
       } while (more > 0u);
       ref = pop(last);
-    }
-  }
+    } while (ref >= REF_LEAF && ref != REF_NONE);
+  } while (ref != REF_NONE);
   if (!live) return;
   vec4 result = vec4(0.0, 0.0, 0.0, last / ray.scale);
   if (best != NO_HIT) {
