@@ -76,6 +76,24 @@ TEST(RenderPlan, AFilmTooWideIsRefusedByTheLimitsName) {
   }
 }
 
+TEST(TooDenseForPackets, BeginsBeyondTwoTrianglesToARay) {
+  Scene scene;
+  scene.camera.width = 10;
+  scene.camera.height = 20;
+  scene.meshes.resize(1);
+  const auto dense = [&](std::uint32_t samples, std::size_t triangles) {
+    scene.sampler.sampleCount = samples;
+    scene.meshes[0].triangles.resize(triangles);
+    return tooDenseForPackets(scene);
+  };
+  EXPECT_FALSE(dense(1, 400));
+  EXPECT_TRUE(dense(1, 401));
+  EXPECT_FALSE(dense(4, 1600));
+  EXPECT_TRUE(dense(4, 1601));
+  // More than 16 samples of a pixel share no more of what a packet walks through.
+  EXPECT_TRUE(dense(64, 6401));
+}
+
 TEST(PacketWindow, NarrowsWithThePrimitivesAndHolds) {
   EXPECT_EQ(packetWindow(0), 1.0F);
   EXPECT_EQ(packetWindow(12), 1.0F);
