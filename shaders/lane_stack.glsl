@@ -7,16 +7,16 @@
 
 uint stackRef[STACK + 1u];
 float stackDepth[STACK + 1u];
-uint stackSize;
+uint stacked;  // entries
 
 // The next reference whose node can hold a hit no farther than `last`; REF_NONE if none can.
 uint pop(float last) {
   uint ref;
   do {
-    const bool some = stackSize > 0u;
-    stackSize -= some ? 1u : 0u;
-    ref = some && stackDepth[stackSize] <= last ? stackRef[stackSize] : REF_NONE;
-  } while (stackSize > 0u && ref == REF_NONE);
+    const bool some = stacked > 0u;
+    stacked -= some ? 1u : 0u;
+    ref = some && stackDepth[stacked] <= last ? stackRef[stacked] : REF_NONE;
+  } while (stacked > 0u && ref == REF_NONE);
   return ref;
 }
 
@@ -46,9 +46,9 @@ uint enter(Children children, float last) {
       ref = met ? children.ref[i] : ref;
       depth = met ? children.depth[i] : depth;
     }
-    stackRef[stackSize] = ref;
-    stackDepth[stackSize] = depth;
-    stackSize += left != 0u ? 1u : 0u;
+    stackRef[stacked] = ref;
+    stackDepth[stacked] = depth;
+    stacked += left != 0u ? 1u : 0u;
     left ^= farthest;
   } while (left != 0u);
   if (lowest == 0u) nearest = pop(last);

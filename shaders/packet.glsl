@@ -7,8 +7,6 @@
 #include "packet_alone.glsl"
 #include "packet_walk.glsl"
 
-const float NEVER = -3.4e38;  // depth of a ray that takes no part
-
 Hits closest(Rays rays) {
   Shear shears[R];
   float first[R], last[R];

@@ -14,6 +14,8 @@ const uint R = 1;
 // Unrolled: lavapipe keeps arrays with constant indices in registers.
 #define FOR_RAYS [[unroll]] for
 
+const float NEVER = -3.4e38;  // depth of a ray that takes no part
+
 // Rays origin + t * direction with tmin <= t <= tmax.
 struct Rays {
   vec3 origin;

@@ -75,7 +75,7 @@ void main() {
   float last = uintBitsToFloat(way.w) * ray.scale;
   uint best = NO_HIT, bestId = NO_HIT;
   uint ref = count.y;
-  stackSize = 0u;
+  stacked = 0u;
   do {
     do ref = enterNode(ray, ref, last); while (ref < REF_LEAF);
     do {
