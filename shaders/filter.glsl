@@ -25,18 +25,22 @@ float gaussian(float x) {
   return max(0.0, expOf(a) - params.filterArgs.z);
 }
 
-// Mitchell and Netravali 1988; the outer piece is written around its double root at 2.
+// Mitchell and Netravali 1988; the outer piece is written around its double root at 2. Precise, as
+// all weights are: then kernels that know the filter sum to the same bits as those that do not.
 float mitchell(float x) {
   const float B = params.filterArgs.y, C = params.filterArgs.z;
-  const float s = abs(2.0 * x / params.filterArgs.x);
-  const float y = max(2.0 - s, 0.0);
-  const float inner = ((12.0 - 9.0 * B - 6.0 * C) * s + (-18.0 + 12.0 * B + 6.0 * C)) * s * s +
-                      (6.0 - 2.0 * B);
-  const float outer = y * y * ((B + 6.0 * C) * y - 6.0 * C);
-  return (s < 1.0 ? inner : outer) / 6.0;
+  precise float s = abs(2.0 * x / params.filterArgs.x);
+  precise float y = max(2.0 - s, 0.0);
+  precise float inner = ((12.0 - 9.0 * B - 6.0 * C) * s + (-18.0 + 12.0 * B + 6.0 * C)) * s * s +
+                        (6.0 - 2.0 * B);
+  precise float outer = y * y * ((B + 6.0 * C) * y - 6.0 * C);
+  precise float result = (s < 1.0 ? inner : outer) / 6.0;
+  return result;
 }
 
-float filterWeight(float x) {
+// For the pixel `k` - APRON from the sample's own.
+float filterWeight(float fromOwn, uint k) {
+  precise float x = fromOwn - (float(k) - float(APRON));
   const float radius = params.filterArgs.x;
   if (NORI_TABLE) {
     const uint i = min(uint(floor(abs(x) * (32.0 / radius))), 32u);
@@ -45,7 +49,8 @@ float filterWeight(float x) {
   float w = 1.0;  // box
   if (FILTER == FILTER_GAUSSIAN || FILTER == FILTER_GAUSSIAN_NARROW) w = gaussian(x);
   if (FILTER == FILTER_MITCHELL) w = mitchell(x);
-  if (FILTER == FILTER_TENT) w = max(0.0, 1.0 - abs(x / radius));
+  precise float tent = max(0.0, 1.0 - abs(x / radius));
+  if (FILTER == FILTER_TENT) w = tent;
   return abs(x) <= radius ? w : 0.0;
 }
 
@@ -54,8 +59,7 @@ float filterWeight(float x) {
 // exp(-2 alpha x)^k times exp(alpha k^2), which stands in params.table[k].
 void filterWeights(float x, out float w[REACH]) {
   if (FILTER != FILTER_GAUSSIAN_NARROW || NORI_TABLE) {
-    [[unroll]] for (uint k = 0u; k < REACH; ++k)
-      w[k] = filterWeight(x - (float(k) - float(APRON)));
+    [[unroll]] for (uint k = 0u; k < REACH; ++k) w[k] = filterWeight(x, k);
     return;
   }
   const float alpha = params.filterArgs.y;

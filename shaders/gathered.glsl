@@ -49,13 +49,16 @@ void weigh(Gathered g, out Weighed w) {
     [[unroll]] for (uint k = 0u; k < REACH; ++k) w.y[k] *= g.share;
 }
 
-// Adds one sample, weight x[k] of a column, to the sums of the rows that it reaches.
+vec4 plusWeighted(vec4 sum, vec3 radiance, float wx, float wy) {
+  precise float w = wx * wy;
+  precise vec4 result = sum + vec4(radiance * w, w);
+  return result;
+}
+
+// Adds one sample, weight x[column], to the sums of the rows that it reaches.
 void addSample(inout vec4 sums[REACH], Weighed sampled, uint column) {
-  [[unroll]] for (uint k = 0u; k < REACH; ++k) {
-    precise float w = sampled.x[column] * sampled.y[k];
-    precise vec4 next = sums[k] + vec4(sampled.radiance * w, w);
-    sums[k] = next;
-  }
+  [[unroll]] for (uint k = 0u; k < REACH; ++k)
+    sums[k] = plusWeighted(sums[k], sampled.radiance, sampled.x[column], sampled.y[k]);
 }
 
 #endif

@@ -52,6 +52,7 @@ LAVER_CONST uint FILTER_MITCHELL = 1;
 LAVER_CONST uint FILTER_TENT = 2;
 LAVER_CONST uint FILTER_BOX = 3;
 LAVER_CONST uint FILTER_GAUSSIAN_NARROW = 4;  // whose weights filter.glsl makes by products
+LAVER_CONST uint FILTERS = 5;
 LAVER_CONST uint FILTER_AT_RUN_TIME = 5;      // the one in params.filterArgs.w
 
 LAVER_CONST uint SAMPLER_INDEPENDENT = 0;
@@ -74,13 +75,15 @@ LAVER_CONST uint BACKGROUND_BLACK = 0;
 LAVER_CONST uint BACKGROUND_CONSTANT = 1;
 LAVER_CONST uint BACKGROUND_IMAGE = 2;
 
-// What plain scenes need, with or without vertex normals and differing albedos. Kernels with these
-// values built in (LAVER_PLAIN) take drivers less time to compile than kernels that leave the same
-// code out.
+// What plain scenes need, with any sampler or filter, with or without vertex normals and differing
+// albedos. Kernels with these values built in (LAVER_PLAIN) take drivers less time to compile than
+// kernels that leave the same code out.
 LAVER_CONST uint PLAIN[SPEC_CONSTANTS] = {
     64u, 0u, 0u, LIGHTS_FEW, 1u,                              // from SPEC_STACK
     FILTER_GAUSSIAN_NARROW, 2u, 0u, SAMPLER_INDEPENDENT, 0u,  // from SPEC_FILTER
     0u, 0u, BACKGROUND_BLACK, 1u, 0u, 4u, 0u};                // from SPEC_TEXTURES
+// SPEC_APRON for the filters as Nori sets them; none for FILTER_GAUSSIAN, which Nori's is not.
+LAVER_CONST uint PLAIN_APRON[FILTERS] = {0xffffffffu, 2u, 1u, 1u, 2u};
 
 LAVER_CONST uint GATHER_GROUP = 64;  // columns
 LAVER_CONST uint SLOT_COLUMNS = 8;   // pixels of a row whose samples are stored together

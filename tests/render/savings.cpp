@@ -10,20 +10,23 @@ namespace {
 /// Scenes that differ in what they need.
 std::vector<Scene> scenes() {
   std::vector<Scene> all;
-  // Vertex normals and albedos at once, a tent.
+  // Vertex normals and albedos at once, a tent, strata.
   all.push_back(smallScene("curved-normals.xml", 35, 2));
   all[0].integrator = Integrator::DirectWhitted;
+  all[0].sampler.kind = Sampler::Kind::Stratified;
   all[0].meshes[0].bsdf.albedo = glm::dvec3(0.1, 0.5, 0.9);
   // Neither; no light; a box.
   all.push_back(smallScene("cornell-two-lights.xml", 35, 1));
   all[1].lights.clear();
   all[1].filter.kind = Filter::Kind::Box;
   all[1].filter.radius = 0.5;
-  // 34 triangles; Mitchell.
+  // 34 triangles; Mitchell, Sobol.
   all.push_back(smallScene("cornell-two-lights.xml", 35, 2));
-  // One albedo; a gaussian.
+  all[2].sampler.kind = Sampler::Kind::Sobol;
+  // One albedo; a gaussian, independent samples.
   all.push_back(all[2]);
   all[3].filter = {};
+  all[3].sampler.kind = Sampler::Kind::Independent;
   for (Mesh& mesh : all[3].meshes) mesh.bsdf.albedo = all[2].meshes[0].bsdf.albedo;
   // A checker and a background of one radiance: no picture.
   all.push_back(all[3]);
