@@ -17,7 +17,8 @@ std::string variantOf(const std::string& name, SpecConstants& constants) {
                        [&](std::uint32_t id) { return constants[id] == PLAIN[id]; });
   };
   if (name == "gather_packet" && plain({SPEC_NORI_TABLE, SPEC_ADAPTIVE}) &&
-      constants[SPEC_FILTER] < FILTERS && constants[SPEC_APRON] == PLAIN_APRON[constants[SPEC_FILTER]])
+      constants[SPEC_FILTER] < FILTERS &&
+      constants[SPEC_APRON] == PLAIN_APRON[constants[SPEC_FILTER]])
     return fmt::format("{}_plain_{}", name, constants[SPEC_FILTER]);
   if (name == "direct_whitted_packet" && constants[SPEC_STACK] <= PLAIN[SPEC_STACK] &&
       plain({SPEC_LIGHTS, SPEC_ADAPTIVE, SPEC_HITS, SPEC_DARK_SIDES})) {

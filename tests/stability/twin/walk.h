@@ -6,8 +6,9 @@
 
 namespace laver::stability {
 
-/// The walk of shaders/lane.glsl over the tree that buildBvh made. `box(lo, hi)` gives the span of
-/// depths inside a box; `leaf(triangle, last)` may lower `last` and returns true to end the walk.
+/// The walk of shaders/lane_walk.glsl over the tree that buildBvh made. `box(lo, hi)` gives the
+/// span of depths inside a box; `leaf(triangle, last)` may lower `last` and returns true to end the
+/// walk.
 template <class BoxTest, class LeafTest>
 void walk(const Bvh& bvh, glm::vec3 direction, float last, const BoxTest& box,
           const LeafTest& leaf) {
