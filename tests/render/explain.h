@@ -16,18 +16,24 @@ struct Explanation {
 };
 
 /// A pixel is explained if one of the samples that its filter reaches is not decided: moved by
-/// `delta` pixels it would meet another surface or another light. See kDelta.
+/// movedBy() pixels, or its direction turned by kTurn, it would meet another surface or light.
 Explanation explain(const Image& image, const Image& truth, const Scene& scene,
                     const Reference& reference, double tolerance);
 
 /// Both traversals give the same bits, equal to the reference but for samples near a decision.
 void expectTraversalsMatch(const Scene& scene, double tolerance);
 
-/// The kernels' rays and vertices are rounded to float. At a film of w pixels and T = tan(fov / 2)
-/// a pixel is 2 T / w in the ray's slope; rounding of film position, camera columns, vertices and
-/// barycentrics moves a hit by about 16 * 2^-24 (|o| + 1) / distance in slope at most, in scenes
-/// whose camera stands a few sizes away: 16 * 6e-8 * 768 / (2 * 0.23) = 0.0016 pixels at the
-/// largest film of scenes/, and as much again for the shadow ray's end.
+/// How far rounding moves a sample at most, in pixels. The kernels' rays and vertices are rounded
+/// to float: film position, camera columns, vertices and barycentrics move a hit by about 16 *
+/// 2^-24 (|o| + 1) / distance in slope, in units of the scene's half-width, and the shadow ray's
+/// end by as much again. A pixel is 2 tan(fov / 2) / width in slope. At least kDelta, which holds
+/// for scenes whose camera stands a few sizes away, up to 768 pixels.
 inline constexpr double kDelta = 0.004;
+double movedBy(const Scene& scene, const Reference& reference);
+
+/// By how much a drawn direction may be turned, in radians: the error of the shading normal that it
+/// is drawn around, 25 * 2^-24 at triangles that are no slivers (stability, case 9). The numbers
+/// that choose it move by no more.
+inline constexpr double kTurn = 25.0 / (1 << 24);
 
 }  // namespace laver::test
