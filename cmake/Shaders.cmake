@@ -101,14 +101,13 @@ foreach(normals 0 1)
     foreach(sampler 0 1 2)
       laver_kernel(direct_whitted_packet_plain_${normals}${albedos}${sampler}
         ${LAVER_SHADER_DIR}/direct_whitted.comp -DLAVER_PACKET -DLAVER_PLAIN
-        -DPLAIN_NORMALS=${normals} -DPLAIN_ALBEDOS=${albedos} -DPLAIN_SAMPLER=${sampler}
-        -DPLAIN_FILTER=1)
+        -DPLAIN_NORMALS=${normals} -DPLAIN_ALBEDOS=${albedos} -DPLAIN_SAMPLER=${sampler})
     endforeach()
   endforeach()
 endforeach()
 foreach(filter 1 2 3 4)
   laver_kernel(gather_packet_plain_${filter} ${LAVER_SHADER_DIR}/gather.comp -DLAVER_PACKET
-    -DLAVER_PLAIN -DPLAIN_NORMALS=0 -DPLAIN_ALBEDOS=0 -DPLAIN_SAMPLER=0 -DPLAIN_FILTER=${filter})
+    -DLAVER_PLAIN -DPLAIN_FILTER=${filter})
 endforeach()
 # Methods that laver does not render with, for `laver chart`.
 laver_kernel(charted_methods ${LAVER_SHADER_DIR}/charted/methods.comp)

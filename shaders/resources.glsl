@@ -6,11 +6,20 @@
 #ifdef LAVER_PLAIN
 #define CONSTANT(id) const
 #else
-#define PLAIN_SAMPLER SAMPLER_INDEPENDENT
-#define PLAIN_FILTER FILTER_GAUSSIAN_NARROW
 #define CONSTANT(id) layout(constant_id = id) const
-#define PLAIN_NORMALS 1
-#define PLAIN_ALBEDOS 1
+#endif
+// What cmake/Shaders.cmake varies, as far as a kernel reads it.
+#ifndef PLAIN_NORMALS
+#define PLAIN_NORMALS PLAIN[SPEC_NORMALS]
+#endif
+#ifndef PLAIN_ALBEDOS
+#define PLAIN_ALBEDOS PLAIN[SPEC_ALBEDOS]
+#endif
+#ifndef PLAIN_SAMPLER
+#define PLAIN_SAMPLER PLAIN[SPEC_SAMPLER]
+#endif
+#ifndef PLAIN_FILTER
+#define PLAIN_FILTER PLAIN[SPEC_FILTER]
 #endif
 CONSTANT(SPEC_STACK) uint STACK = PLAIN[SPEC_STACK];
 CONSTANT(SPEC_NORMALS) bool HAS_NORMALS = bool(PLAIN_NORMALS);

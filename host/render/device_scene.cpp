@@ -43,7 +43,8 @@ DeviceScene::DeviceScene(const Device& device, const SceneData& data, const Rend
                attributeFormat(data.constants));
   uploadTexels(shared::BIND_NORMALS, "normals", data.normals);
   uploadTexels(shared::BIND_MATERIALS, "materials", data.materials);
-  uploadTexels(shared::BIND_LIGHTS, "lights", data.lights);
+  // Kernels that do not know that there is no light look at one, which must be black.
+  uploadTexels(shared::BIND_LIGHTS, "lights", data.lights, sizeof(shared::Light));
   uploadTexels(shared::BIND_JUMPS, "sampler tables", data.jumps);
   uploadTexels(shared::BIND_TEXTURES, "textures", data.textures);
   uploadTexels(shared::BIND_UVS, "texture coordinates", data.uvs, 0, VK_FORMAT_R32G32_UINT);

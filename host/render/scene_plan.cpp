@@ -25,10 +25,11 @@ Line traversal(const Scene& scene, const std::string& wanted, const DeviceInfo& 
   if (wanted.empty() && plan.traversal == "lane")
     why = "no subgroups of 8 lanes that shuffle, or no 64-bit integers";
   if (wanted.empty() && plan.traversal == "packet") {
-    why = "subgroups of 8 lanes that shuffle, up to 2 triangles to a ray";
+    why = fmt::format("subgroups of 8 lanes that shuffle, up to {} triangles to a ray",
+                      kMostTrianglesARay);
     if (tooDenseForPackets(scene)) {
       plan.traversal = "lane";
-      why = "more than 2 triangles to a ray";
+      why = fmt::format("more than {} triangles to a ray", kMostTrianglesARay);
     }
   }
   return {"traversal", plan.traversal, why, "", 0};

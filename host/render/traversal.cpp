@@ -34,7 +34,7 @@ bool tooDenseForPackets(const Scene& scene) {
   const std::uint64_t rays = static_cast<std::uint64_t>(scene.camera.width) *
                              static_cast<std::uint64_t>(scene.camera.height) *
                              std::min(scene.sampler.sampleCount, 16U);
-  return primitivesOf(scene) > 2 * rays;
+  return primitivesOf(scene) > kMostTrianglesARay * rays;
 }
 
 float packetWindow(std::uint64_t primitives) {

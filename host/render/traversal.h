@@ -19,6 +19,7 @@ std::string traversalFor(const DeviceInfo& device, const std::string& wanted);
 /// A packet walks through all that its 64 rays see: with many triangles to a ray, rays by
 /// themselves are sooner done. Of bunnies of 69,666 and 1.1 million triangles with 1.1, 1.9 and 4.2
 /// to a ray, packets take 0.5 to 0.9, 0.8 to 1 and 1.6 times as long as rays by themselves.
+inline constexpr std::uint64_t kMostTrianglesARay = 2;
 bool tooDenseForPackets(const Scene& scene);
 
 /// How far from its leader's the slopes of a ray may be that walks with it in a packet: of a coarse

@@ -67,7 +67,7 @@ double movedBy(const Scene& scene, const Reference& reference) {
   const double far = std::max({origin.x, origin.y, origin.z}) + 1.0;
   const double slope = 16.0 / (1 << 24) * far / (nearest * space.scale);
   const double pixel = 2.0 * std::tan(glm::radians(scene.camera.fov) / 2.0) / scene.camera.width;
-  return std::max(kDelta, 2.0 * slope / pixel);
+  return 2.0 * slope / pixel;
 }
 
 Explanation explain(const Image& image, const Image& truth, const Scene& scene,

@@ -26,9 +26,7 @@ void expectTraversalsMatch(const Scene& scene, double tolerance);
 /// How far rounding moves a sample at most, in pixels. The kernels' rays and vertices are rounded
 /// to float: film position, camera columns, vertices and barycentrics move a hit by about 16 *
 /// 2^-24 (|o| + 1) / distance in slope, in units of the scene's half-width, and the shadow ray's
-/// end by as much again. A pixel is 2 tan(fov / 2) / width in slope. At least kDelta, which holds
-/// for scenes whose camera stands a few sizes away, up to 768 pixels.
-inline constexpr double kDelta = 0.004;
+/// end by as much again. A pixel is 2 tan(fov / 2) / width in slope.
 double movedBy(const Scene& scene, const Reference& reference);
 
 /// By how much a drawn direction may be turned, in radians: the error of the shading normal that it

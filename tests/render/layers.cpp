@@ -33,23 +33,23 @@ Image channelsOf(const Image& image, const std::vector<std::string>& names) {
   return part;
 }
 
-/// Whether the ray through `film`, moved by kDelta, meets another triangle.
-bool undecided(const Reference& reference, glm::dvec2 film) {
+/// Whether the ray through `film`, moved by `moved` pixels, meets another triangle.
+bool undecided(const Reference& reference, double moved, glm::dvec2 film) {
   std::set<std::int64_t> ids;
   for (int y = -1; y <= 1; ++y)
     for (int x = -1; x <= 1; ++x) {
-      const auto hit = reference.closest(film + kDelta * glm::dvec2(x, y));
+      const auto hit = reference.closest(film + moved * glm::dvec2(x, y));
       ids.insert(hit ? std::int64_t{hit->triangle} : -1);
     }
   return ids.size() > 1;
 }
 
-bool undecidedSample(const Scene& scene, const Reference& reference, int x, int y) {
+bool undecidedSample(const Scene& scene, const Reference& reference, double moved, int x, int y) {
   const int apron = static_cast<int>(apronOf(scene.filter.radius));
   for (int v = std::max(y - apron, 0); v <= std::min(y + apron, scene.camera.height - 1); ++v)
     for (int u = std::max(x - apron, 0); u <= std::min(x + apron, scene.camera.width - 1); ++u)
       for (std::uint32_t s = 0; s < scene.sampler.sampleCount; ++s)
-        if (undecided(reference, glm::dvec2(reference.samplePosition(u, v, s)))) return true;
+        if (undecided(reference, moved, glm::dvec2(reference.samplePosition(u, v, s)))) return true;
   return false;
 }
 
@@ -74,15 +74,16 @@ void expectLayersOfTheReference(const Scene& scene) {
   const Image image = render(scene, cpuDevice(), options);
   const Reference reference(scene);
   const Image truth = reference.render(options);
+  const double moved = movedBy(scene, reference);
   ASSERT_EQ(image.channels, truth.channels);
   const std::vector<std::string> means = {"N.X", "N.Y", "N.Z", "Albedo.R", "Albedo.G", "Albedo.B"};
   // kTolerance of scenes.cpp. Samples fall into another facet at its edge only.
   expectAlike(channelsOf(image, means), channelsOf(truth, means), 1e-4,
-              [&](int x, int y) { return undecidedSample(scene, reference, x, y); });
+              [&](int x, int y) { return undecidedSample(scene, reference, moved, x, y); });
   const std::vector<std::string> points = {"Z", "P.X",         "P.Y",        "P.Z",
                                            "u", "shape_index", "prim_index", "v"};
   expectAlike(channelsOf(image, points), channelsOf(truth, points), 1e-4,
-              [&](int x, int y) { return undecided(reference, glm::dvec2(x, y) + 0.5); });
+              [&](int x, int y) { return undecided(reference, moved, glm::dvec2(x, y) + 0.5); });
   for (const float samples : channelsOf(image, {"samples"}).pixels)
     ASSERT_EQ(samples, static_cast<float>(scene.sampler.sampleCount));
 }
