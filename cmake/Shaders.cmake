@@ -69,10 +69,12 @@ std::span<const std::uint32_t> @lookup@(const std::string& kernel) {
   set(arrays "")
 endmacro()
 
-# Each is compiled for both traversals: for any device, and for subgroups of 8 lanes that shuffle.
+# Each is compiled for any device, and for subgroups of 8 lanes that shuffle: those that trace for
+# packets of 32 rays and of 64.
 # Those that show textures or a background are compiled with and without them, those that trace with
 # and without spheres: a driver would read their code, a fifth of all, before a specialisation
 # constant could leave it out. What most pictures need is compiled once more for plain scenes (layout.h).
+set(LAVER_PACKETS 32 64)
 set(LAVER_TEXTURED_KERNELS albedo direct_whitted)
 foreach(kernel IN LISTS LAVER_KERNELS)
   get_filename_component(name ${kernel} NAME_WE)
@@ -93,15 +95,23 @@ foreach(kernel IN LISTS LAVER_KERNELS)
       list(APPEND defines -DLAVER_SPHERES)
     endif()
     laver_kernel(${name}${variant}lane ${kernel} ${defines})
-    laver_kernel(${name}${variant}packet ${kernel} ${defines} -DLAVER_PACKET)
+    if(name STREQUAL gather)
+      laver_kernel(gather_packet ${kernel} -DLAVER_PACKET)
+    else()
+      foreach(rays ${LAVER_PACKETS})
+        laver_kernel(${name}${variant}packet${rays} ${kernel} ${defines} -DLAVER_PACKET=${rays})
+      endforeach()
+    endif()
   endforeach()
 endforeach()
-foreach(normals 0 1)
-  foreach(albedos 0 1)
-    foreach(sampler 0 1 2)
-      laver_kernel(direct_whitted_packet_plain_${normals}${albedos}${sampler}
-        ${LAVER_SHADER_DIR}/direct_whitted.comp -DLAVER_PACKET -DLAVER_PLAIN
-        -DPLAIN_NORMALS=${normals} -DPLAIN_ALBEDOS=${albedos} -DPLAIN_SAMPLER=${sampler})
+foreach(rays ${LAVER_PACKETS})
+  foreach(normals 0 1)
+    foreach(albedos 0 1)
+      foreach(sampler 0 1 2)
+        laver_kernel(direct_whitted_packet${rays}_plain_${normals}${albedos}${sampler}
+          ${LAVER_SHADER_DIR}/direct_whitted.comp -DLAVER_PACKET=${rays} -DLAVER_PLAIN
+          -DPLAIN_NORMALS=${normals} -DPLAIN_ALBEDOS=${albedos} -DPLAIN_SAMPLER=${sampler})
+      endforeach()
     endforeach()
   endforeach()
 endforeach()

@@ -48,7 +48,8 @@ int dispatch(int argc, char** argv) {
                    "render a scene and explain each difference from the reference, instead")
       ->type_name("SCENE.xml");
   compareApp->add_option("--device", compare.vulkan.device, "for --explain: as in rendering");
-  compareApp->add_option("--traversal", compare.vulkan.traversal, "for --explain: lane or packet");
+  compareApp->add_option("--traversal", compare.vulkan.traversal,
+                         "for --explain: lane, packet, packet32 or packet64");
   const CLI::Option* tolerance = compareApp->add_option(
       "--tolerance", compare.tolerance, "exit code 5 if the metric of a channel is beyond it");
   compareApp->add_option("--metric", compare.metric, "what the tolerance bounds")

@@ -1,5 +1,5 @@
 // The frustum of a packet's rays, and the groups of rays that may share one. A subgroup of 8 lanes
-// holds 64 rays, R a lane.
+// holds 8 R rays, R a lane.
 #ifndef LAVER_FRUSTUM
 #define LAVER_FRUSTUM
 #extension GL_KHR_shader_subgroup_basic : require

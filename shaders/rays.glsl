@@ -7,7 +7,7 @@
 #extension GL_EXT_control_flow_attributes : require
 
 #ifdef LAVER_PACKET
-const uint R = 8;
+const uint R = LAVER_PACKET / 8u;  // 8 or 4
 #else
 const uint R = 1;
 #endif

@@ -125,7 +125,7 @@ void addSceneOptions(CLI::App& app, SceneCommand& command) {
          "render pixels x0 <= x < x1, y0 <= y < y1 only")
       ->type_name("x0,y0,x1,y1");
   app.add_option("--device", command.vulkan.device, "index, part of the name, or cpu");
-  app.add_option("--traversal", command.vulkan.traversal, "lane or packet");
+  app.add_option("--traversal", command.vulkan.traversal, "lane, packet, packet32 or packet64");
   app.add_flag("--nori-compat", command.options.noriCompat,
                "as Nori: filter weights from a table, pictures of 8 bits taken for linear");
   app.add_option("-t,--threads", command.options.threads, "threads, 0 for all")

@@ -20,7 +20,7 @@ std::string variantOf(const std::string& name, SpecConstants& constants) {
       constants[SPEC_FILTER] < FILTERS &&
       constants[SPEC_APRON] == PLAIN_APRON[constants[SPEC_FILTER]])
     return fmt::format("{}_plain_{}", name, constants[SPEC_FILTER]);
-  if (name == "direct_whitted_packet" && constants[SPEC_STACK] <= PLAIN[SPEC_STACK] &&
+  if (name.starts_with("direct_whitted_packet") && constants[SPEC_STACK] <= PLAIN[SPEC_STACK] &&
       plain({SPEC_LIGHTS, SPEC_ADAPTIVE, SPEC_HITS, SPEC_DARK_SIDES})) {
     constants[SPEC_STACK] = PLAIN[SPEC_STACK];
     return fmt::format("{}_plain_{}{}{}", name, constants[SPEC_NORMALS], constants[SPEC_ALBEDOS],

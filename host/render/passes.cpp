@@ -114,7 +114,7 @@ void Passes::tracePass(const shared::Pass& pass) {
   const shared::Status before = status_;
   if (mapped()) listWork(pass);
   dispatchPass(pass);
-  if (status_.incomplete != 0 && stats_.traversal == "packet") {
+  if (status_.incomplete != 0 && stats_.traversal != "lane") {
     stats_.traversal = "lane";
     stats_.leftOut.emplace_back(
         fmt::format("packets: {} of them ran more loops than the driver lets one invocation run",

@@ -40,8 +40,7 @@ Image Renderer::render(const Scene& scene, const RenderOptions& options, FilmSta
   // Beside the building of the tree: the rest of the device's start, and the kernels.
   auto compiling = std::async(std::launch::async, [&] {
     const StartedVulkan& vulkan = *impl_->vulkan.get();
-    stats.traversal = vulkan.traversal;
-    if (impl_->options.traversal.empty() && tooDenseForPackets(scene)) stats.traversal = "lane";
+    stats.traversal = traversalOf(scene, vulkan.device.info(), impl_->options.traversal).traversal;
     const Stopwatch watch(stats.seconds.compile);
     return compileKernels(vulkan.device, pictures.front().kernel + "_" + stats.traversal,
                           pictures.front().constants);

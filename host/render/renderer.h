@@ -15,7 +15,7 @@ namespace laver {
 struct VulkanOptions {
   std::string device;                 ///< as choosePhysicalDevice takes it
   bool validate = false;              ///< every validation message is an error
-  std::string traversal;              ///< "lane" or "packet"; empty: packet where the device can
+  std::string traversal;              ///< as traversalOf() takes it
   std::uint64_t samplesInFlight = 0;  ///< for tests: 0 is the renderer's own choice
   std::uint32_t generic = 0;          ///< for tests: constants that generalise() makes generic
 };

@@ -17,24 +17,6 @@ namespace {
 
 using Line = ScenePlan::Line;
 
-/// Sets plan.traversal, and says why.
-Line traversal(const Scene& scene, const std::string& wanted, const DeviceInfo& device,
-               ScenePlan& plan) {
-  plan.traversal = traversalFor(device, wanted);
-  std::string why = "asked for";
-  if (wanted.empty() && plan.traversal == "lane")
-    why = "no subgroups of 8 lanes that shuffle, or no 64-bit integers";
-  if (wanted.empty() && plan.traversal == "packet") {
-    why = fmt::format("subgroups of 8 lanes that shuffle, up to {} triangles to a ray",
-                      kMostTrianglesARay);
-    if (tooDenseForPackets(scene)) {
-      plan.traversal = "lane";
-      why = fmt::format("more than {} triangles to a ray", kMostTrianglesARay);
-    }
-  }
-  return {"traversal", plan.traversal, why, "", 0};
-}
-
 Line adaptive(const Scene& scene, const RenderOptions& options) {
   if (options.error == 0.0)
     return {"adaptive", "off", "no --error", "counts of cells, and lists of work", 0};
@@ -126,7 +108,8 @@ ScenePlan planScene(const Scene& scene, const RenderOptions& options,
   plan.device = device.name;
   plan.driver = device.driver;
   const std::vector<Rendering> pictures = renderingsOf(scene, options);
-  const Line traversed = traversal(scene, wantedTraversal, device, plan);
+  const Chosen chosen = traversalOf(scene, device, wantedTraversal);
+  plan.traversal = chosen.traversal;
   SpecConstants constants = constantsOfAll(pictures);
   const std::string kernel = variantOf(pictures.front().kernel + '_' + plan.traversal, constants);
   const SceneData data = packScene(scene, options, constants);
@@ -141,7 +124,8 @@ ScenePlan planScene(const Scene& scene, const RenderOptions& options,
     facts.normals += mesh.normals.size();
     facts.uvs += mesh.uvs.size();
   }
-  plan.lines = {integrator(scene, pictures.size(), kernel), traversed};
+  plan.lines = {integrator(scene, pictures.size(), kernel),
+                {"traversal", chosen.traversal, chosen.why, "", 0}};
   for (Line& line : sceneLines(facts)) plan.lines.push_back(std::move(line));
   plan.lines.push_back(adaptive(scene, options));
   addCut(scene, options, facts, device, plan);

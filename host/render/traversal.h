@@ -7,20 +7,36 @@
 
 namespace laver {
 
-/// The faster traversal that the device can run: "packet" where subgroups have 8 lanes that
-/// shuffle and integers may have 64 bits, else "lane". A scene too dense for packets goes by lane
-/// all the same.
+/// "packet" where subgroups have 8 lanes that shuffle and integers may have 64 bits, else "lane".
 std::string bestTraversal(const DeviceInfo& device);
 
-/// The traversal to run: `wanted`, or the faster one that the device can. Throws Error(Usage) for
-/// an unknown one and Error(Device) where the device cannot.
+/// `wanted`, one of lane, packet, packet32 and packet64, or the faster of the first two that the
+/// device can run. Throws Error(Usage) for an unknown one and Error(Device) where the device
+/// cannot.
 std::string traversalFor(const DeviceInfo& device, const std::string& wanted);
 
-/// A packet walks through all that its 64 rays see: with many triangles to a ray, rays by
-/// themselves are sooner done. Of bunnies of 69,666 and 1.1 million triangles with 1.1, 1.9 and 4.2
-/// to a ray, packets take 0.5 to 0.9, 0.8 to 1 and 1.6 times as long as rays by themselves.
-inline constexpr std::uint64_t kMostTrianglesARay = 2;
-bool tooDenseForPackets(const Scene& scene);
+/// A packet walks through all that its rays see: the more triangles there are to a ray, the fewer
+/// rays should share a walk. More than 16 samples of a pixel share no more. Bunnies of 69,666 and
+/// 1.1 million triangles, traced by packets of 64 and of 32 rays, in times of rays by themselves:
+/// 0.31 and 0.33 at 0.12 triangles to a ray, 0.42 and 0.42 at 0.27, 0.78 and 0.66 at 1.1, 1.02 and
+/// 0.82 at 1.9, 1.2 to 1.7 and 1.0 to 1.2 at 2.7.
+double trianglesARay(const Scene& scene);
+
+/// Of packets of 32 and of 64 rays those that trace a scene sooner, compiling left out.
+std::string fasterPackets(const Scene& scene);
+
+/// From so many camera rays on, packets of 64 rays save more than their kernel takes longer to
+/// compile: 3 to 10 ns a ray, and 20 to 45 ms.
+inline constexpr std::uint64_t kManyRays = std::uint64_t{1} << 22;
+
+struct Chosen {
+  std::string traversal;  ///< "lane", "packet32" or "packet64", as names of kernels have it
+  std::string why;
+};
+
+/// What traces a scene: traversalFor(), and lane where triangles are too many for packets, unless
+/// these are asked for; of packets those that are sooner done, unless their size is asked for.
+Chosen traversalOf(const Scene& scene, const DeviceInfo& device, const std::string& wanted);
 
 /// How far from its leader's the slopes of a ray may be that walks with it in a packet: of a coarse
 /// mesh wide packets meet few triangles more, and a packet that falls apart walks once for each

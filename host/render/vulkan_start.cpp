@@ -14,7 +14,7 @@ std::unique_ptr<StartedVulkan> startVulkan(const VulkanOptions& options) {
     const Stopwatch watch(seconds);
     vulkan = std::make_unique<StartedVulkan>(options);
   }
-  vulkan->traversal = traversalFor(vulkan->device.info(), options.traversal);
+  traversalFor(vulkan->device.info(), options.traversal);
   vulkan->seconds = seconds;
   return vulkan;
 }

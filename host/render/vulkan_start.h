@@ -12,11 +12,11 @@ struct StartedVulkan {
   explicit StartedVulkan(const VulkanOptions& options);
   Instance instance;
   Device device;
-  std::string traversal;  ///< the one asked for, or the faster one
-  double seconds = 0;     ///< that the start took
+  double seconds = 0;  ///< that the start took
 };
 
-/// Throws Error(Device), and Error(Usage) for an unknown traversal.
+/// Throws Error(Device), also where the device cannot run the traversal asked for, and Error(Usage)
+/// for an unknown one.
 std::unique_ptr<StartedVulkan> startVulkan(const VulkanOptions& options);
 
 }  // namespace laver

@@ -8,6 +8,7 @@
 #include "bench/embree_pass.h"
 #include "bench/laver_pass.h"
 #include "bench/scenes.h"
+#include "render/traversal.h"
 
 namespace laver::bench {
 namespace {
@@ -82,7 +83,7 @@ std::map<std::string, double> comparePasses(Report& report, const EmbreeScenes& 
   // A whole render each round; the first, which may compile the kernel, is not counted.
   const std::size_t count = setup.samples == 1 ? rounds.passes : rounds.renders;
   for (std::size_t round = 0; round <= count; ++round) {
-    laver = renderWithLaver(scene, setup.threads);
+    laver = renderWithLaver(scene, setup.threads, fasterPackets(scene));
     if (round > 0) seconds.push_back(laver.stats.seconds.trace);
     for (Side& side : sides) {
       result = pass.run(side.call, 0, setup.samples, setup.threads);

@@ -6,10 +6,11 @@
 
 namespace laver::bench {
 
-LaverRender renderWithLaver(const Scene& scene, unsigned threads) {
+LaverRender renderWithLaver(const Scene& scene, unsigned threads, const std::string& traversal) {
   ::setenv("LP_NUM_THREADS", std::to_string(threads).c_str(), 1);
   VulkanOptions vulkan;
   vulkan.device = "cpu";
+  vulkan.traversal = traversal;
   LaverRender out;
   out.image = Renderer(vulkan).render(scene, {}, out.stats);
   return out;

@@ -12,6 +12,7 @@ struct LaverRender {
 };
 
 /// Renders as `laver` does, on the CPU device with `threads` of the driver's threads.
-LaverRender renderWithLaver(const Scene& scene, unsigned threads);
+LaverRender renderWithLaver(const Scene& scene, unsigned threads,
+                            const std::string& traversal = {});
 
 }  // namespace laver::bench

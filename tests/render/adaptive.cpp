@@ -38,11 +38,8 @@ TEST(Adaptive, SameBitsForThreadsBandsPassesTraversalsAndKernels) {
     cut.samplesInFlight = slots;
     expectSame(whole, renderTo(scene, adaptive(), cut));
   }
-  for (const char* traversal : {"lane", "packet"}) {
-    VulkanOptions vulkan = cpuDevice();
-    vulkan.traversal = traversal;
-    expectSame(whole, renderTo(scene, adaptive(), vulkan));
-  }
+  for (const char* traversal : kTraversals)
+    expectSame(whole, renderTo(scene, adaptive(), cpuDevice(traversal)));
   VulkanOptions generic = cpuDevice();
   generic.generic = kAllConstants;
   expectSame(whole, renderTo(scene, adaptive(), generic));

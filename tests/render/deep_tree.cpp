@@ -28,11 +28,9 @@ Scene cone() {
 TEST(DeepTree, KernelsAreCompiledAnewForItsStack) {
   const Scene scene = cone();
   const Image truth = Reference(scene).render();
-  for (const char* traversal : {"lane", "packet"}) {
-    VulkanOptions vulkan = cpuDevice();
-    vulkan.traversal = traversal;
+  for (const char* traversal : kTraversals) {
     Stats stats;
-    const Image image = Renderer(vulkan).render(scene, {}, stats);
+    const Image image = Renderer(cpuDevice(traversal)).render(scene, {}, stats);
     EXPECT_GT(stats.stack, specialise(scene, {})[shared::SPEC_STACK]);
     // All rays meet the smallest triangle at depth 5: nothing here is near an edge.
     for (std::size_t i = 0; i < truth.pixels.size(); ++i)

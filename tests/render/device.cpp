@@ -75,17 +75,14 @@ TEST(Device, APacketThatMeetsTooMuchIsTracedRayByRay) {
   scene.meshes = {ball(250, 500, 0.05, glm::dvec3(0.0, 0.0, 250.0))};
   scene.camera.width = scene.camera.height = 8;
   scene.camera.fov = 0.5;
-  VulkanOptions lane = cpuDevice(), packet = cpuDevice();
-  lane.traversal = "lane";
-  packet.traversal = "packet";
   scene.lights = {{glm::dvec3(0.0), glm::dvec3(1e6)}};
   Stats stats;
   for (const Integrator shown : {Integrator::DirectWhitted, Integrator::Depth}) {
     scene.integrator = shown;
     stats = {};
-    const Image image = Renderer(packet).render(scene, {}, stats);
+    const Image image = Renderer(cpuDevice("packet64")).render(scene, {}, stats);
     EXPECT_EQ(stats.traversal, "lane");
-    EXPECT_EQ(differingFloats(image, render(scene, lane)), 0U);
+    EXPECT_EQ(differingFloats(image, render(scene, cpuDevice("lane"))), 0U);
     if (shown == Integrator::Depth) {
       EXPECT_NEAR(image.at(4, 4, 0), 1.0F / 249.0F, 1e-5F);
     }

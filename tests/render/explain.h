@@ -20,7 +20,7 @@ struct Explanation {
 Explanation explain(const Image& image, const Image& truth, const Scene& scene,
                     const Reference& reference, double tolerance);
 
-/// Both traversals give the same bits, equal to the reference but for samples near a decision.
+/// All traversals give the same bits, equal to the reference but for samples near a decision.
 void expectTraversalsMatch(const Scene& scene, double tolerance);
 
 /// How far rounding moves a sample at most, in pixels. The kernels' rays and vertices are rounded

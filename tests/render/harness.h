@@ -1,6 +1,7 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -19,6 +20,15 @@ namespace laver::test {
 inline VulkanOptions cpuDevice() {
   VulkanOptions options;
   options.device = "cpu";
+  return options;
+}
+
+/// What traces on the test device: subgroups of 8 lanes can do all.
+inline constexpr std::array kTraversals{"lane", "packet32", "packet64"};
+
+inline VulkanOptions cpuDevice(const std::string& traversal) {
+  VulkanOptions options = cpuDevice();
+  options.traversal = traversal;
   return options;
 }
 
@@ -83,6 +93,13 @@ inline std::size_t differingFloats(const Image& a, const Image& b) {
   for (std::size_t i = 0; i < a.pixels.size(); ++i)
     count += bits(a.pixels[i]) != bits(b.pixels[i]) ? 1 : 0;
   return count;
+}
+
+/// All traversals give `image`'s bits.
+inline void expectSameByAll(const Image& image, const Scene& scene) {
+  for (const char* traversal : kTraversals)
+    EXPECT_EQ(differingFloats(image, render(scene, cpuDevice(traversal))), 0U)
+        << scene.file << ' ' << traversal;
 }
 
 }  // namespace laver::test

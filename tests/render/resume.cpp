@@ -51,10 +51,10 @@ class Resume : public CommandLine {
   }
 };
 
-TEST_F(Resume, AfterAnInterruptionAnywhereByLaneAndPacket) {
+TEST_F(Resume, AfterAnInterruptionAnywhereByLaneAndPackets) {
   for (const auto& [traversal, kind] :
-       {std::pair("lane", Kind::Sobol), std::pair("packet", Kind::Sobol),
-        std::pair("packet", Kind::Stratified), std::pair("packet", Kind::Independent)}) {
+       {std::pair("lane", Kind::Sobol), std::pair("packet64", Kind::Sobol),
+        std::pair("packet32", Kind::Stratified), std::pair("packet64", Kind::Independent)}) {
     Renderer renderer(inPieces(traversal));
     const Scene scene = sceneOf(kind, 16);
     Stats stats;
@@ -69,8 +69,8 @@ TEST_F(Resume, AfterAnInterruptionAnywhereByLaneAndPacket) {
 }
 
 TEST_F(Resume, SobolGoesOnBeyondTheCountItWasBegunWith) {
-  for (const auto& [traversal, few] : {std::pair("lane", 16U), std::pair("packet", 1U),
-                                       std::pair("packet", 10U), std::pair("packet", 16U)}) {
+  for (const auto& [traversal, few] : {std::pair("lane", 16U), std::pair("packet64", 1U),
+                                       std::pair("packet32", 10U), std::pair("packet64", 16U)}) {
     Renderer renderer(inPieces(traversal));
     const Scene many = sceneOf(Kind::Sobol, 64);
     Stats stats;

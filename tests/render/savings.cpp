@@ -50,11 +50,10 @@ TEST_P(Savings, KeepTheBits) {
   for (const Scene& scene : scenes()) {
     const SpecConstants constants = specialise(scene, {});
     if (generalise(constants, one) == constants) continue;
-    // One scene by both traversals.
-    for (const char* traversal : {"packet", "lane"}) {
-      if (saved && traversal == std::string("lane")) continue;
-      VulkanOptions vulkan = cpuDevice();
-      vulkan.traversal = traversal;
+    // One scene by all traversals.
+    for (const char* traversal : kTraversals) {
+      if (saved && traversal != std::string("packet32")) continue;
+      VulkanOptions vulkan = cpuDevice(traversal);
       const Image needed = render(scene, vulkan);
       vulkan.generic = one;
       EXPECT_EQ(differingFloats(needed, render(scene, vulkan)), 0U)

@@ -149,7 +149,7 @@ LAVER_STABILITY(08, Order, "Ties: child order, triangle order, node width, trave
         }
     }
   }
-  for (const std::string traversal : {"lane", "packet"})
+  for (const std::string traversal : {"lane", "packet32", "packet64"})
     record.add({"run again, in small pieces, cropped on one thread", traversal, 4 * 90 * 60,
                 std::nullopt, static_cast<double>(otherBits(traversal)), 0.0, "floats"});
   record.picture(

@@ -22,7 +22,7 @@ VulkanOptions by(const std::string& traversal) {
 
 LAVER_STABILITY(06, PowersOfTwo, "The scene scaled by 2^k: the same bits") {
   for (const char* name : {"bunny-whitted.xml", "cornell-two-lights.xml", "bunny-depth.xml"})
-    for (const std::string traversal : {"lane", "packet"}) {
+    for (const std::string traversal : {"lane", "packet32", "packet64"}) {
       const Scene scene = test::smallScene(name, 96, 2);
       const VulkanOptions vulkan = by(traversal);
       const Image original = test::render(scene, vulkan);
@@ -45,7 +45,7 @@ LAVER_STABILITY(06, PowersOfTwo, "The scene scaled by 2^k: the same bits") {
 
 LAVER_STABILITY(10, Sizes, "Scenes of size 1e-15 to 1e15") {
   for (const char* name : {"bunny-whitted.xml", "cornell-two-lights.xml"})
-    for (const std::string traversal : {"lane", "packet"}) {
+    for (const std::string traversal : {"lane", "packet32", "packet64"}) {
       const Scene scene = test::smallScene(name, 96, 1);
       const VulkanOptions vulkan = by(traversal);
       const Image original = test::render(scene, vulkan);

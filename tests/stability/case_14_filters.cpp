@@ -57,7 +57,7 @@ LAVER_STABILITY(14, Filters, "Filters: flat field, step, negative lobes") {
       {"Mitchell", {Filter::Kind::Mitchell, 2.0, 0.5, 1.0 / 3, 1.0 / 3}},
       {"tent", {Filter::Kind::Tent, 1.0, 0.5, 0.0, 0.0}}};
   for (const auto& [name, filter] : filters)
-    for (const std::string traversal : {"lane", "packet"}) {
+    for (const std::string traversal : {"lane", "packet32", "packet64"}) {
       VulkanOptions vulkan;
       vulkan.device = testDevice();
       vulkan.traversal = traversal;

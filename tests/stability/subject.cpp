@@ -88,7 +88,8 @@ std::vector<std::unique_ptr<Subject>> subjects(const Bvh& bvh) {
   std::vector<std::unique_ptr<Subject>> all;
   all.push_back(std::make_unique<DeviceSubject>(device, bvh, "lane"));
   if (bestTraversal(device.info()) == "packet")
-    all.push_back(std::make_unique<DeviceSubject>(device, bvh, "packet"));
+    for (const char* packet : {"packet32", "packet64"})
+      all.push_back(std::make_unique<DeviceSubject>(device, bvh, packet));
   for (const Twin* twin : twins()) all.push_back(std::make_unique<TwinSubject>(twin, bvh));
   return all;
 }

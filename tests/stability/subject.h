@@ -21,7 +21,7 @@ class Subject {
   double seconds = 0;  ///< spent in the two
 };
 
-/// Both traversals of the test device and all twins. `bvh` must outlive them.
+/// All traversals of the test device and all twins. `bvh` must outlive them.
 std::vector<std::unique_ptr<Subject>> subjects(const Bvh& bvh);
 
 /// The device of the tests: LAVER_TEST_DEVICE as --device takes it, or the CPU.

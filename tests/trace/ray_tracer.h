@@ -27,7 +27,8 @@ struct TestHit {
 /// Rays of a test's choice through the traversals of shaders/, in kernels of the tests' own.
 class RayTracer {
  public:
-  /// `traversal` is "lane" or "packet", which needs what bestTraversal says. Throws Error(Device).
+  /// `traversal` is "lane", or "packet32" or "packet64", which need what bestTraversal says. Throws
+  /// Error(Device).
   RayTracer(const Device& device, const Bvh& bvh, const std::string& traversal);
   ~RayTracer();
 

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Rays from memory, hits to memory, by the production traversals: the nearest hits of rays, or with
-// LAVER_VISIBLE whether points see a light. A workgroup takes 64 of them, a packet in packet form.
+// LAVER_VISIBLE whether points see a light. A workgroup takes 64 of them.
 #ifdef LAVER_PACKET
 #include "packet.glsl"
 #else

@@ -107,16 +107,18 @@ TEST_F(TraceRays, PointsAreSeenAsInTheReference) {
 TEST_F(TraceRays, PacketsFindTheSameToTheBit) {
   if (bestTraversal(device_.info()) != "packet")
     GTEST_SKIP() << "no subgroups of 8, or no 64-bit integers";
-  RayTracer packet(device_, scene_.bvh, "packet");
   const std::vector<TestRay> rays = someRays();
-  const auto a = lane_.closest(rays), b = packet.closest(rays);
-  EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(TestHit)), 0);
   std::vector<vec3> points;
   points.reserve(4000);
   for (int i = 0; i < 4000; ++i) points.push_back(point(1.0F));
   const vec3 light(1.5F, 2.0F, -1.0F);
-  EXPECT_EQ(lane_.visible(light, points), packet.visible(light, points));
-  EXPECT_EQ(lane_.incomplete() + packet.incomplete(), 0U);
+  for (const char* traversal : {"packet32", "packet64"}) {
+    RayTracer packet(device_, scene_.bvh, traversal);
+    const auto a = lane_.closest(rays), b = packet.closest(rays);
+    EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(TestHit)), 0) << traversal;
+    EXPECT_EQ(lane_.visible(light, points), packet.visible(light, points)) << traversal;
+    EXPECT_EQ(lane_.incomplete() + packet.incomplete(), 0U) << traversal;
+  }
 }
 
 }  // namespace

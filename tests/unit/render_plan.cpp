@@ -76,22 +76,55 @@ TEST(RenderPlan, AFilmTooWideIsRefusedByTheLimitsName) {
   }
 }
 
-TEST(TooDenseForPackets, BeginsBeyondTwoTrianglesToARay) {
-  Scene scene;
-  scene.camera.width = 10;
-  scene.camera.height = 20;
-  scene.meshes.resize(1);
-  const auto dense = [&](std::uint32_t samples, std::size_t triangles) {
-    scene.sampler.sampleCount = samples;
-    scene.meshes[0].triangles.resize(triangles);
-    return tooDenseForPackets(scene);
-  };
-  EXPECT_FALSE(dense(1, 400));
-  EXPECT_TRUE(dense(1, 401));
-  EXPECT_FALSE(dense(4, 1600));
-  EXPECT_TRUE(dense(4, 1601));
+class TraversalOf : public testing::Test {
+ protected:
+  TraversalOf() {
+    device_.subgroupSize = 8;
+    device_.shuffles = device_.longs = true;
+    scene_.meshes.resize(1);
+  }
+  std::string of(int width, int height, std::uint32_t samples, std::size_t triangles,
+                 const std::string& wanted = {}) {
+    scene_.camera.width = width;
+    scene_.camera.height = height;
+    scene_.sampler.sampleCount = samples;
+    scene_.meshes[0].triangles.resize(triangles);
+    return traversalOf(scene_, device_, wanted).traversal;
+  }
+  DeviceInfo device_;
+  Scene scene_;
+};
+
+TEST_F(TraversalOf, IsLaneBeyondTwoTrianglesToARay) {
+  EXPECT_EQ(of(10, 20, 1, 400), "packet32");
+  EXPECT_EQ(of(10, 20, 1, 401), "lane");
+  EXPECT_EQ(of(10, 20, 4, 1600), "packet32");
+  EXPECT_EQ(of(10, 20, 4, 1601), "lane");
   // More than 16 samples of a pixel share no more of what a packet walks through.
-  EXPECT_TRUE(dense(64, 6401));
+  EXPECT_EQ(of(10, 20, 64, 6401), "lane");
+  EXPECT_EQ(of(10, 20, 1, 401, "packet"), "packet32");
+  EXPECT_EQ(of(10, 20, 1, 401, "packet64"), "packet64");
+}
+
+TEST_F(TraversalOf, IsLargePacketsOfManyRaysAndFewTriangles) {
+  EXPECT_EQ(of(1024, 1024, 4, 12), "packet64");
+  EXPECT_EQ(of(1024, 1023, 4, 12), "packet32");
+  EXPECT_EQ(of(1024, 1023, 4, 12, "packet64"), "packet64");
+  EXPECT_EQ(of(64, 64, 1024, 16384), "packet64");
+  EXPECT_EQ(of(64, 64, 1024, 16385), "packet32");
+  EXPECT_EQ(of(64, 64, 1024, 16385, "packet"), "packet32");
+  EXPECT_EQ(of(64, 64, 1024, 12, "packet32"), "packet32");
+  EXPECT_EQ(of(64, 64, 1024, 12, "lane"), "lane");
+}
+
+TEST_F(TraversalOf, RefusesWhatTheDeviceCannotAndWhatIsUnknown) {
+  device_.longs = false;
+  EXPECT_EQ(of(1024, 1024, 4, 12), "lane");
+  for (const char* wanted : {"packet", "packet32", "packet64"})
+    EXPECT_THROW(of(8, 8, 1, 12, wanted), Error) << wanted;
+  EXPECT_EQ(of(8, 8, 1, 12, "lane"), "lane");
+  device_.longs = true;
+  EXPECT_THROW(of(8, 8, 1, 12, "packet16"), Error);
 }
 
 TEST(PacketWindow, NarrowsWithThePrimitivesAndHolds) {
