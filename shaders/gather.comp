@@ -35,7 +35,7 @@ void main() {
   const int apron = int(APRON);
   const ivec2 core = ivec2(pass.core.zw);
   const ivec2 shift = ivec2(pass.core.xy) - ivec2(pass.region.xy);
-  // Strips start where blocks of slots do (sampleSlot).
+  // Strips start where blocks of slots do, or halfway (sampleSlot).
   const uvec3 strip = stripOf();
   const int column = int(strip.x) - (shift.x & int(COLUMNS - 1u));
   const int first = int(strip.y * pass.tiles.x);

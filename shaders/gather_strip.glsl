@@ -1,13 +1,13 @@
-// Gathering on CPU drivers, APRON <= 4: an invocation sums for a strip of 8 columns, so that it
-// weighs a sample once for all of them. The aprons' samples are those of the strips beside it, whose
-// lanes hand them on.
+// Gathering on CPU drivers, APRON <= 4: an invocation sums for a strip of 4 columns, so that it
+// weighs a sample once for all of them; 8 columns take twice as long to compile, and no less to run.
+// The aprons' samples are those of the strips beside it, whose lanes hand them on.
 #ifndef LAVER_GATHER_STRIP
 #define LAVER_GATHER_STRIP
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_shuffle : require
 #include "gathered.glsl"
 
-const uint COLUMNS = SLOT_COLUMNS;
+const uint COLUMNS = 4;
 const uint WIDTH = COLUMNS + 2u * APRON;
 
 // What lane `from` has of its strip; at the end of the row of lanes, what lane `lender` read alone.
@@ -25,17 +25,16 @@ void hand(Weighed mine, Weighed alone, uint from, bool atEnd, uint lender, out W
   }
 }
 
-// Adds samples number s of a row of pixels to what they reach of columns x to x + 7 of the region.
+// Adds samples number s of a row of pixels to what they reach of columns x to x + 3 of the region.
 void addRow(inout vec4 sums[COLUMNS][REACH], int x, int row, uint s) {
-  // The strip is a block of slots. All is read at once, so that little waits for memory.
+  // The strip is half a block of slots. All is read at once, so that little waits for memory.
   const int start = inRegion(x, row) ? sampleSlot(uvec3(x, row, s)) : 0;
-  const vec4 left = texelFetch(sampleYTexels, start / 4);
-  const vec4 right = texelFetch(sampleYTexels, start / 4 + 1);
+  const vec4 inY = texelFetch(sampleYTexels, start / 4);
   Gathered g[COLUMNS];
   [[unroll]] for (uint c = 0u; c < COLUMNS; ++c)
     g[c] = gathered(ivec2(x + c, row), s,
                     texelFetch(sampleTexels, inRegion(x + int(c), row) ? start + int(c) : 0),
-                    c < 4u ? left[c] : right[c - 4u]);
+                    inY[c]);
 
   Weighed w[WIDTH];
   const uint lane = gl_SubgroupInvocationID;
@@ -48,7 +47,7 @@ void addRow(inout vec4 sums[COLUMNS][REACH], int x, int row, uint s) {
     [[unroll]] for (uint c = 0u; c < COLUMNS; ++c) weigh(g[c], w[APRON + c]);
   } else {
     // Lanes 0 to APRON - 1 read the apron left of lane 0, the next the one right of the last lane.
-    const int end = lane < APRON ? -int(APRON) : int(GATHER_GROUP - APRON);
+    const int end = lane < APRON ? -int(APRON) : int(8u * COLUMNS - APRON);
     Weighed alone;
     weigh(gathered(ivec2(x + int(lane) - int(lane * COLUMNS) + end, row), s), alone);
     [[unroll]] for (uint c = 0u; c < COLUMNS; ++c) weigh(g[c], w[APRON + c]);

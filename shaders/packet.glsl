@@ -1,6 +1,7 @@
-// The `packet` traversal: a subgroup of 8 lanes traces 8 R rays through one walk of the tree. Lane c tests child c of a node, or triangle c of a leaf, against the frustum of all rays;
-// each lane then picks the triangles that its own rays may meet and tests those with the text that
-// `lane` uses. A frustum holds every hit that `lane` accepts (padOf), so both find the same.
+// The `packet` traversal: a subgroup of 8 lanes traces 8 R rays through one walk of the tree. Lane c
+// tests child c of a node, or triangle c of a leaf, against the frustum of all rays; each lane then
+// picks the triangles that its own rays may meet and tests those with the text that `lane` uses. A
+// frustum holds every hit that `lane` accepts (padOf), so both find the same.
 #ifndef LAVER_PACKET_GLSL
 #define LAVER_PACKET_GLSL
 #include "packet_alone.glsl"

@@ -86,7 +86,8 @@ vec3 texelVec3(uvec4 texel) { return uintBitsToFloat(texel.xyz); }
 uint slotsABlock() { return min(pass.samples.y, GATHER_SAMPLES) * SLOT_COLUMNS; }
 
 // Where sample s of region pixel (x, y) lies: block after block along a row, row after row. Tracing
-// goes through memory from front to back, and so do strips, which are a block wide (gather_strip.glsl).
+// goes through memory from front to back, and so do strips, which are half a block wide
+// (gather_strip.glsl).
 int sampleSlot(uvec3 xys) {
   const uint blocksARow = (pass.region.z + SLOT_COLUMNS - 1u) / SLOT_COLUMNS;
   const uint row = xys.z / GATHER_SAMPLES * pass.region.w + xys.y;
