@@ -1,6 +1,7 @@
 #include "vulkan/buffer.h"
 
 #include <fmt/format.h>
+#include <sys/mman.h>
 
 #include <cstring>
 
@@ -36,6 +37,16 @@ constexpr VkMemoryPropertyFlags kHost =
     VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
 // Larger transfers through staging are cut into pieces of this size.
 constexpr VkDeviceSize kStagingBytes = VkDeviceSize{64} << 20;
+
+/// Memory of a device that is the processor comes page by page as it is first touched: 2.5 us for
+/// each of 4 KiB. Where the system does not give large pages it is as before.
+void askForLargePages(std::byte* memory, VkDeviceSize bytes) {
+  constexpr std::uintptr_t kPage = std::uintptr_t{2} << 20;
+  const auto start = reinterpret_cast<std::uintptr_t>(memory);
+  const std::uintptr_t first = (start + kPage - 1) & ~(kPage - 1);
+  const std::uintptr_t end = (start + bytes) & ~(kPage - 1);
+  if (first < end) ::madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
+}
 
 }  // namespace
 
@@ -90,6 +101,7 @@ void Buffer::allocate(const Device& device, const char* what, VkMemoryPropertyFl
     void* pointer = nullptr;
     check(vkMapMemory(device.get(), memory, 0, VK_WHOLE_SIZE, 0, &pointer), "vkMapMemory");
     mapped_ = static_cast<std::byte*>(pointer);
+    if (device.info().type == VK_PHYSICAL_DEVICE_TYPE_CPU) askForLargePages(mapped_, needs.size);
     cached_ = (device.memoryFlags(info.memoryTypeIndex) & VK_MEMORY_PROPERTY_HOST_CACHED_BIT) != 0;
   }
 }
