@@ -4,6 +4,7 @@
 #include <sys/mman.h>
 
 #include <cstring>
+#include <memory>
 
 namespace laver {
 namespace {
@@ -40,12 +41,10 @@ constexpr VkDeviceSize kStagingBytes = VkDeviceSize{64} << 20;
 
 /// Memory of a device that is the processor comes page by page as it is first touched: 2.5 us for
 /// each of 4 KiB. Where the system does not give large pages it is as before.
-void askForLargePages(std::byte* memory, VkDeviceSize bytes) {
-  constexpr std::uintptr_t kPage = std::uintptr_t{2} << 20;
-  const auto start = reinterpret_cast<std::uintptr_t>(memory);
-  const std::uintptr_t first = (start + kPage - 1) & ~(kPage - 1);
-  const std::uintptr_t end = (start + bytes) & ~(kPage - 1);
-  if (first < end) ::madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
+void askForLargePages(void* memory, std::size_t bytes) {
+  constexpr std::size_t kPage = std::size_t{2} << 20;
+  if (std::align(kPage, kPage, memory, bytes) != nullptr)
+    ::madvise(memory, bytes / kPage * kPage, MADV_HUGEPAGE);
 }
 
 }  // namespace
