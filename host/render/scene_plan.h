@@ -9,6 +9,7 @@
 namespace laver {
 
 /// What a render of a scene would do, and what it would do without.
+// NOLINTNEXTLINE(bugprone-exception-escape): moving JSON asserts, and throws nothing
 struct ScenePlan {
   struct Line {
     std::string what, decision, reason;
