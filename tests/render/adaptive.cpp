@@ -33,7 +33,7 @@ TEST(Adaptive, SameBitsForThreadsBandsPassesTraversalsAndKernels) {
   ::unsetenv("LP_NUM_THREADS");
 
   // Four samples of a few rows a pass; sixteen of a part of the film.
-  for (const std::uint64_t slots : {96 * 11 * 4, 96 * 60 * 16}) {
+  for (const std::uint64_t slots : {96U * 11 * 4, 96U * 60 * 16}) {
     VulkanOptions cut = cpuDevice();
     cut.samplesInFlight = slots;
     expectSame(whole, renderTo(scene, adaptive(), cut));
@@ -139,7 +139,7 @@ TEST(Adaptive, EqualsTheReferenceWhereRegionsOfDifferentCountsMeet) {
 TEST(Adaptive, StopsBetweenPassesAndWhileItDecides) {
   const Scene scene = floorScene();
   VulkanOptions vulkan = cpuDevice();
-  vulkan.samplesInFlight = 128 * 96 * 16;  // rows are stored in columns of 64
+  vulkan.samplesInFlight = std::uint64_t{128} * 96 * 16;  // rows are stored in columns of 64
   for (const int passes : {2, kPilots + 1}) {
     RenderOptions options = adaptive();
     options.stop = [left = int{passes}]() mutable { return left-- == 0; };

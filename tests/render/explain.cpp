@@ -1,6 +1,7 @@
 #include "render/explain.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -26,13 +27,12 @@ double difference(const Image& a, const Image& b, int x, int y) {
 bool turnMatters(const Reference& reference, glm::dvec2 film, glm::dvec2 numbers,
                  double tolerance) {
   const glm::dvec3 centre = reference.radiance(film, numbers);
-  for (const glm::dvec2 way :
-       {glm::dvec2(1, 1), glm::dvec2(1, -1), glm::dvec2(-1, 1), glm::dvec2(-1, -1)}) {
+  const std::array ways{glm::dvec2(1, 1), glm::dvec2(1, -1), glm::dvec2(-1, 1), glm::dvec2(-1, -1)};
+  return std::ranges::any_of(ways, [&](glm::dvec2 way) {
     const glm::dvec2 turned = glm::clamp(numbers + kTurn * way, 0.0, 1.0);
     const glm::dvec3 away = glm::abs(reference.radiance(film, turned) - centre);
-    if (!(away.x <= tolerance && away.y <= tolerance && away.z <= tolerance)) return true;
-  }
-  return false;
+    return !(away.x <= tolerance && away.y <= tolerance && away.z <= tolerance);
+  });
 }
 
 bool nearDecision(const Scene& scene, const Reference& reference, double moved, int x, int y,

@@ -61,7 +61,7 @@ void expectAlike(const Image& a, const Image& b, double tolerance, const Excuse&
   for (int y = 0; y < a.height; ++y)
     for (int x = 0; x < a.width; ++x)
       for (std::size_t c = 0; c < a.channels.size(); ++c) {
-        const double p = static_cast<double>(a.at(x, y, c)), q = static_cast<double>(b.at(x, y, c));
+        const auto p = static_cast<double>(a.at(x, y, c)), q = static_cast<double>(b.at(x, y, c));
         if (std::abs(p - q) <= tolerance * std::max(1.0, std::abs(q)) || excused(x, y)) continue;
         if (found++ == 0)
           ADD_FAILURE() << a.channels[c] << " at " << x << ", " << y << ": " << p << " and " << q;
@@ -156,8 +156,9 @@ TEST(Layers, OfNothingAreEmpty) {
   scene.camera.height = 30;
   const Image image = render(scene, cpuDevice(), allLayers());
   EXPECT_EQ(channelsOf(image, {"N.X", "Albedo.R", "Z", "P.X"}).pixels,
-            std::vector<float>(40 * 30 * 4, 0.0F));
-  EXPECT_EQ(channelsOf(image, {"prim_index"}).pixels, std::vector<float>(40 * 30, -1.0F));
+            std::vector<float>(std::size_t{40} * 30 * 4, 0.0F));
+  EXPECT_EQ(channelsOf(image, {"prim_index"}).pixels,
+            std::vector<float>(std::size_t{40} * 30, -1.0F));
 }
 
 TEST(Layers, LeaveThePicturesBits) {
@@ -183,7 +184,7 @@ TEST(Layers, AreTheSameHoweverTheyAreMade) {
   const Image whole = render(scene, cpuDevice(), options);
   VulkanOptions lane = cpuDevice(), pieces = cpuDevice(), generic = cpuDevice();
   lane.traversal = "lane";
-  pieces.samplesInFlight = 131 * 7 * 5;
+  pieces.samplesInFlight = std::uint64_t{131} * 7 * 5;
   generic.generic = kAllConstants;
   EXPECT_EQ(differingFloats(whole, render(scene, lane, options)), 0U);
   EXPECT_EQ(differingFloats(whole, render(scene, pieces, options)), 0U);

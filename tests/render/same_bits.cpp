@@ -86,7 +86,7 @@ TEST(SameBits, AnyNumberOfSamplesSideBySide) {
   expectSameByAll(image, scene);
   for (const char* traversal : kTraversals) {
     VulkanOptions few = cpuDevice(traversal);
-    few.samplesInFlight = 64 * 35 * 8;  // eight samples a pass: tiles of 4
+    few.samplesInFlight = std::uint64_t{64} * 35 * 8;  // eight samples a pass: tiles of 4
     EXPECT_EQ(differingFloats(image, render(scene, few)), 0U) << traversal;
   }
 }
