@@ -76,7 +76,7 @@ void DeviceScene::upload(std::span<const shared::Work> work) {
 
 void DeviceScene::refill(Texels& texels, std::uint32_t binding, const char* what,
                          std::span<const std::byte> data) {
-  const VkDeviceSize bytes = alike(std::max<VkDeviceSize>(data.size(), 48), 16);
+  const VkDeviceSize bytes = alike(std::max<VkDeviceSize>(data.size(), VkDeviceSize{3} * 16), 16);
   if (texels.buffer.bytes() < bytes) {
     texels.buffer = Buffer(device_, what, Buffer::Use::Texels, bytes);
     texels.view = texels.buffer.texelView(kTexels);

@@ -8,11 +8,9 @@
 #include "core/error.h"
 
 namespace laver {
+namespace {
 
-std::string bestTraversal(const DeviceInfo& device) {
-  return device.subgroupSize == 8 && device.shuffles && device.longs ? "packet" : "lane";
-}
-
+/// `wanted`, or what the device runs best.
 std::string traversalFor(const DeviceInfo& device, const std::string& wanted) {
   std::string best = bestTraversal(device);
   if (wanted.empty()) return best;
@@ -28,6 +26,12 @@ std::string traversalFor(const DeviceInfo& device, const std::string& wanted) {
                             device.shuffles ? "" : " that do not shuffle",
                             device.longs ? "" : ", and no such integers"));
   return wanted;
+}
+
+}  // namespace
+
+std::string bestTraversal(const DeviceInfo& device) {
+  return device.subgroupSize == 8 && device.shuffles && device.longs ? "packet" : "lane";
 }
 
 double trianglesARay(const Scene& scene) {

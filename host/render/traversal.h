@@ -10,11 +10,6 @@ namespace laver {
 /// "packet" where subgroups have 8 lanes that shuffle and integers may have 64 bits, else "lane".
 std::string bestTraversal(const DeviceInfo& device);
 
-/// `wanted`, one of lane, packet, packet32 and packet64, or the faster of the first two that the
-/// device can run. Throws Error(Usage) for an unknown one and Error(Device) where the device
-/// cannot.
-std::string traversalFor(const DeviceInfo& device, const std::string& wanted);
-
 /// A packet walks through all that its rays see: the more triangles there are to a ray, the fewer
 /// rays should share a walk. More than 16 samples of a pixel share no more. Bunnies of 69,666 and
 /// 1.1 million triangles, traced by packets of 64 and of 32 rays, in times of rays by themselves:
@@ -34,8 +29,10 @@ struct Chosen {
   std::string why;
 };
 
-/// What traces a scene: traversalFor(), and lane where triangles are too many for packets, unless
-/// these are asked for; of packets those that are sooner done, unless their size is asked for.
+/// What traces a scene. `wanted` is lane, packet, packet32, packet64, or empty: what the device
+/// runs best, but lane where triangles are too many for packets. Of packets, unless their size is
+/// asked for, those that are sooner done. Throws Error(Usage) for an unknown one and Error(Device)
+/// where the device cannot.
 Chosen traversalOf(const Scene& scene, const DeviceInfo& device, const std::string& wanted);
 
 /// How far from its leader's the slopes of a ray may be that walks with it in a packet: of a coarse

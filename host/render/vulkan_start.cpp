@@ -1,7 +1,6 @@
 #include "render/vulkan_start.h"
 
 #include "render/stopwatch.h"
-#include "render/traversal.h"
 
 namespace laver {
 StartedVulkan::StartedVulkan(const VulkanOptions& options)
@@ -14,7 +13,6 @@ std::unique_ptr<StartedVulkan> startVulkan(const VulkanOptions& options) {
     const Stopwatch watch(seconds);
     vulkan = std::make_unique<StartedVulkan>(options);
   }
-  traversalFor(vulkan->device.info(), options.traversal);
   vulkan->seconds = seconds;
   return vulkan;
 }

@@ -15,8 +15,7 @@ struct StartedVulkan {
   double seconds = 0;  ///< that the start took
 };
 
-/// Throws Error(Device), also where the device cannot run the traversal asked for, and Error(Usage)
-/// for an unknown one.
+/// Throws Error(Device).
 std::unique_ptr<StartedVulkan> startVulkan(const VulkanOptions& options);
 
 }  // namespace laver

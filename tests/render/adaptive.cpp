@@ -45,15 +45,15 @@ TEST(Adaptive, SameBitsForThreadsBandsPassesTraversalsAndKernels) {
   expectSame(whole, renderTo(scene, adaptive(), generic));
 }
 
-TEST(Adaptive, LaneAndPacketAgreeOnEveryFilterAndAnOddFilm) {
+TEST(Adaptive, LaneAndPacketsAgreeOnEveryFilterAndAnOddFilm) {
   for (const char* name : {"cornell-two-lights.xml", "curved-normals.xml"}) {
     Scene scene = smallScene(name, 61, 32);
     for (const auto& filter : {Filter{Filter::Kind::Box, 0.5, 0.0, 0.0, 0.0},
                                Filter{Filter::Kind::Gaussian, 3.7, 1.1, 0.0, 0.0}}) {
       scene.filter = filter;
-      VulkanOptions lane = cpuDevice();
-      lane.traversal = "lane";
-      expectSame(renderTo(scene, adaptive()), renderTo(scene, adaptive(), lane));
+      const Adaptive whole = renderTo(scene, adaptive());
+      for (const char* traversal : kTraversals)
+        expectSame(whole, renderTo(scene, adaptive(), cpuDevice(traversal)));
     }
   }
 }

@@ -182,11 +182,12 @@ TEST(Layers, AreTheSameHoweverTheyAreMade) {
   const Scene scene = smallScene("mirrored-instances.xml", 131, 5);
   const RenderOptions options = allLayers();
   const Image whole = render(scene, cpuDevice(), options);
-  VulkanOptions lane = cpuDevice(), pieces = cpuDevice(), generic = cpuDevice();
-  lane.traversal = "lane";
+  VulkanOptions pieces = cpuDevice(), generic = cpuDevice();
   pieces.samplesInFlight = std::uint64_t{131} * 7 * 5;
   generic.generic = kAllConstants;
-  EXPECT_EQ(differingFloats(whole, render(scene, lane, options)), 0U);
+  for (const char* traversal : kTraversals)
+    EXPECT_EQ(differingFloats(whole, render(scene, cpuDevice(traversal), options)), 0U)
+        << traversal;
   EXPECT_EQ(differingFloats(whole, render(scene, pieces, options)), 0U);
   EXPECT_EQ(differingFloats(whole, render(scene, generic, options)), 0U);
   RenderOptions cropped = options;
