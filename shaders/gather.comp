@@ -25,7 +25,8 @@ void addCompensated(uint at, vec4 x) {
 
 // First column, number of the rows, samples of the pass.
 uvec3 stripOf() {
-  if (!ADAPTIVE) return uvec3(gl_GlobalInvocationID.x * COLUMNS, gl_WorkGroupID.y, pass.samples.y);
+  if (!ADAPTIVE)
+    return uvec3(pass.part.x + gl_GlobalInvocationID.x * COLUMNS, gl_WorkGroupID.y, pass.samples.y);
   const uint column = groupNumber() * GATHER_GROUP + gl_LocalInvocationID.x * COLUMNS;
   const uvec3 work = listedWork(column / STRIP_COLUMNS);
   return uvec3(work.x * STRIP_COLUMNS + column % STRIP_COLUMNS, work.yz);
@@ -33,13 +34,13 @@ uvec3 stripOf() {
 
 void main() {
   const int apron = int(APRON);
-  const ivec2 core = ivec2(pass.core.zw);
+  const ivec4 part = ivec4(pass.part);
   const ivec2 shift = ivec2(pass.core.xy) - ivec2(pass.region.xy);
   // Strips start where blocks of slots do, or halfway (sampleSlot).
   const uvec3 strip = stripOf();
   const int column = int(strip.x) - (shift.x & int(COLUMNS - 1u));
-  const int first = int(strip.y * pass.tiles.x);
-  const int end = min(first + int(pass.tiles.x), core.y);
+  const int first = part.y + int(strip.y * pass.tiles.x);
+  const int end = min(first + int(pass.tiles.x), part.w);
 
   for (uint group = 0u; group < strip.z; group += GATHER_SAMPLES) {
     const uint groupEnd = min(group + GATHER_SAMPLES, strip.z);
@@ -53,7 +54,8 @@ void main() {
       const int done = row - apron;
       [[unroll]] for (uint c = 0u; c < COLUMNS; ++c) {
         const int x = column + int(c);
-        if (done >= first && x >= 0 && x < core.x) addCompensated(uint(done * core.x + x), sums[c][0]);
+        if (done >= first && x >= part.x && x < part.z)
+          addCompensated(uint(done) * pass.core.z + uint(x), sums[c][0]);
         [[unroll]] for (uint k = 1u; k < REACH; ++k) sums[c][k - 1u] = sums[c][k];
         sums[c][REACH - 1u] = vec4(0.0);
       }

@@ -22,7 +22,7 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]);
 uvec3 tileOrigin() {
   if (ADAPTIVE) return listedWork(groupNumber());
   const uint row = gl_WorkGroupID.y * pass.tiles.y % pass.tiles.x;
-  return uvec3(uvec2(gl_WorkGroupID.x, row) * (8u >> (pass.tiles.z >> 1)),
+  return uvec3(pass.part.xy + uvec2(gl_WorkGroupID.x, row) * (8u >> (pass.tiles.z >> 1)),
                pass.tiles.w + (gl_WorkGroupID.z << pass.tiles.z));
 }
 
@@ -71,7 +71,7 @@ void main() {
   int slot[R];
   FOR_RAYS (uint r = 0u; r < R; ++r) {
     const uvec3 place = rayPlace(tile, r);
-    rays.live[r] = all(lessThan(place.xy, pass.region.zw));
+    rays.live[r] = all(lessThan(place.xy, pass.part.zw));
     slot[r] = rays.live[r] ? sampleSlot(place) : 0;
     const uvec2 pixel = pass.region.xy + place.xy;
 #ifdef LAVER_CENTRES

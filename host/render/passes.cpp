@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "render/stopwatch.h"
 
@@ -11,6 +12,15 @@ namespace {
 
 std::uint32_t groups(std::uint32_t count, std::uint32_t size) { return (count + size - 1) / size; }
 
+/// What a dispatch costs for itself, in samples.
+constexpr double kDispatchSamples = 1000;
+
+/// A part of an area as first and end column and row from its corner.
+glm::uvec4 within(const Crop& part, const glm::uvec4& area) {
+  const glm::uvec4 edges(part.x0, part.y0, part.x1, part.y1);
+  return edges - glm::uvec4(area.x, area.y, area.x, area.y);
+}
+
 std::span<const std::byte> bytes(const shared::Pass& pass) {
   return std::as_bytes(std::span(&pass, 1));
 }
@@ -18,14 +28,15 @@ std::span<const std::byte> bytes(const shared::Pass& pass) {
 }  // namespace
 
 Passes::Passes(const Device& device, const SceneData& data, const RenderPlan& plan,
-               const Scene& scene, const RenderOptions& options, Stats& stats)
+               const Scene& scene, const RenderOptions& options, Footprint footprint, Stats& stats)
     : device_(device),
       data_(data),
       plan_(plan),
       scene_(scene),
       options_(options),
       stats_(stats),
-      onDevice_(device, data, plan) {
+      onDevice_(device, data, plan),
+      footprint_(std::move(footprint)) {
   // Touched for the first time here, while kernels may still be compiled.
   onDevice_.film().fillZero();
 }
@@ -35,9 +46,10 @@ void Passes::take(Kernels kernels) {
   gather_ = std::move(kernels.gather);
 }
 
-void Passes::begin(const std::string& kernel, const SpecConstants& constants, bool taken) {
-  kernel_ = kernel;
-  constants_ = constants;
+void Passes::begin(const Rendering& picture, bool taken) {
+  kernel_ = picture.kernel;
+  constants_ = picture.constants;
+  blackMisses_ = picture.blackMisses;
   if (!taken) compileTrace();
 }
 
@@ -77,6 +89,7 @@ std::uint32_t Passes::traceCentres(const Crop& band) {
   shared::Pass pass{};
   pass.region = pass.core = {band.x0, band.y0, band.x1 - band.x0, band.y1 - band.y0};
   pass.samples.y = 1;
+  traced_ = {band};
   filmIsClear_ = false;
   tracePass(pass);
   return 1;
@@ -88,6 +101,7 @@ std::uint32_t Passes::add(const Crop& band, std::uint32_t first, std::uint32_t e
   pass.region = regionAround(band);
   pass.core = {band.x0, band.y0, band.x1 - band.x0, band.y1 - band.y0};
   if (mapped()) onDevice_.upload(map_->counts(pass.region));
+  planParts(pass);
   std::uint32_t done = first;
   while (done < end && !(options_.stop && options_.stop())) {
     pass.samples.x = done;
@@ -101,6 +115,21 @@ std::uint32_t Passes::add(const Crop& band, std::uint32_t first, std::uint32_t e
   stats_.samples += mapped() ? map_->samplesOf(band, done)
                              : std::uint64_t{pass.core.z} * pass.core.w * (done - first);
   return done;
+}
+
+/// Where misses are black, only what sees something has sums, and only what those need is traced.
+void Passes::planParts(const shared::Pass& pass) {
+  const Crop region = cropOf(pass.region), core = cropOf(pass.core);
+  traced_ = {region};
+  gathered_ = {core};
+  if (!blackMisses_ || mapped()) return;
+  const auto apron = static_cast<int>(data_.constants[shared::SPEC_APRON]);
+  // Strips begin with the rows above them that reach into theirs.
+  const double each = kDispatchSamples / plan_.samplesAPass;
+  gathered_ = footprint_.grown(apron).parts(core, {each, 2.0 * apron});
+  Footprint needed(footprint_.width(), footprint_.height());
+  for (const Crop& part : gathered_) needed.add(part);
+  traced_ = needed.grown(apron).parts(region, {each, 0});
 }
 
 void Passes::forgetDropped() {
@@ -147,6 +176,7 @@ void Passes::dispatchPass(shared::Pass pass) {
 
 /// As many samples of a pixel side by side as there are: 64, 16, 4 or 1 in a tile of 64.
 void Passes::dispatchSamples(VkCommandBuffer commands, shared::Pass pass) const {
+  pass.part = {0, 0, pass.region.z, pass.region.w};
   std::uint32_t done = 0;
   for (std::size_t i = 0; i < kShifts.size(); ++i) {
     const std::uint32_t shift = kShifts[i];
@@ -157,11 +187,14 @@ void Passes::dispatchSamples(VkCommandBuffer commands, shared::Pass pass) const 
     }
     const std::uint32_t count = (pass.samples.y - done) >> shift;
     if (count == 0 || 1U << shift > plan_.sideBySide) continue;
-    const std::uint32_t side = 8U >> shift / 2;
-    const std::uint32_t rows = groups(pass.region.w, side);
-    pass.tiles = {rows, rowStride(rows), shift, done};
-    trace_->dispatch(commands, onDevice_.bindings(), bytes(pass),
-                     {groups(pass.region.z, side), rows, count});
+    for (const Crop& part : traced_) {
+      pass.part = within(part, pass.region);
+      const std::uint32_t side = 8U >> shift / 2;
+      const std::uint32_t rows = groups(pass.part.w - pass.part.y, side);
+      pass.tiles = {rows, rowStride(rows), shift, done};
+      trace_->dispatch(commands, onDevice_.bindings(), bytes(pass),
+                       {groups(pass.part.z - pass.part.x, side), rows, count});
+    }
     done += count << shift;
   }
 }
@@ -170,12 +203,18 @@ void Passes::gatherPass(shared::Pass pass) {
   const Stopwatch watch(stats_.seconds.reconstruct);
   pass.tiles = {mapped() ? shared::STRIP_ROWS : plan_.gatherRows, 0, 0, 0};
   device_.run([&](VkCommandBuffer commands) {
-    if (mapped())
-      dispatchListed(commands, *gather_, pass, gathering_);
-    else
+    for (const Crop& part : gathered_) {
+      pass.part = within(part, pass.core);
+      if (mapped()) {
+        dispatchListed(commands, *gather_, pass, gathering_);
+        continue;
+      }
+      // Strips begin where blocks of slots do, or halfway: up to as many columns before the part.
+      const std::uint32_t columns = pass.part.z - pass.part.x + pass.core.x - pass.region.x;
       gather_->dispatch(commands, onDevice_.bindings(), bytes(pass),
-                        {groups(pass.core.z + pass.core.x - pass.region.x, shared::GATHER_GROUP),
-                         groups(pass.core.w, plan_.gatherRows), 1});
+                        {groups(columns, shared::GATHER_GROUP),
+                         groups(pass.part.w - pass.part.y, plan_.gatherRows), 1});
+    }
   });
 }
 

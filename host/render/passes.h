@@ -5,7 +5,9 @@
 #include <string>
 
 #include "render/device_scene.h"
+#include "render/footprint.h"
 #include "render/kernels.h"
+#include "render/renderings.h"
 #include "render/stats.h"
 #include "render/work_list.h"
 
@@ -16,12 +18,12 @@ namespace laver {
 class Passes {
  public:
   Passes(const Device& device, const SceneData& data, const RenderPlan& plan, const Scene& scene,
-         const RenderOptions& options, Stats& stats);
+         const RenderOptions& options, Footprint footprint, Stats& stats);
 
   /// Takes kernels that were compiled for what begin() is called with next.
   void take(Kernels kernels);
-  /// Makes the passes that follow those of shaders/<kernel>.comp. Compiles it, unless it was taken.
-  void begin(const std::string& kernel, const SpecConstants& constants, bool taken);
+  /// Makes the passes that follow those of a picture. Compiles its kernel, unless it was taken.
+  void begin(const Rendering& picture, bool taken);
   /// From here on a pixel gets as many samples as the map says; null: as many as add() says.
   void use(const SampleMap* map) { map_ = map; }
 
@@ -56,6 +58,7 @@ class Passes {
   void dispatchPass(shared::Pass pass);
   void dispatchSamples(VkCommandBuffer commands, shared::Pass pass) const;
   void gatherPass(shared::Pass pass);
+  void planParts(const shared::Pass& pass);
   void listWork(const shared::Pass& pass);
   void dispatchListed(VkCommandBuffer commands, const Kernel& kernel, shared::Pass pass,
                       const WorkRange& work) const;
@@ -76,6 +79,9 @@ class Passes {
   shared::Status status_{};
   bool filmIsClear_ = true;
   std::vector<std::byte> copy_;
+  const Footprint footprint_;  ///< of the scene
+  bool blackMisses_ = false;
+  std::vector<Crop> traced_, gathered_;  ///< what of the present band
   const SampleMap* map_ = nullptr;
   std::array<WorkRange, kShifts.size()> tracing_{};  ///< with a map only, as what follows
   WorkRange gathering_{};

@@ -37,7 +37,7 @@ class Render {
       const bool first = parts.empty();
       Reached reached;
       if (whole) {
-        passes_.begin(picture.kernel, picture.constants, first && guess == picture.constants);
+        passes_.begin(picture, first && guess == picture.constants);
         if (first)
           renderFirst(reached);
         else

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "render/footprint.h"
 #include "render/kernels.h"
 #include "render/passes.h"
 #include "render/plan.h"
@@ -65,10 +66,14 @@ Image Renderer::render(const Scene& scene, const RenderOptions& options, FilmSta
   stats.samples = 0;
   stats.reached = {};
   stats.adaptive = {options.error};
+  const Footprint footprint = impl_->options.wholeFilm
+                                  ? Footprint::whole(scene.camera.width, scene.camera.height)
+                                  : footprintOf(data);
+  stats.seen = seenShare(footprint, pictures.front(), core, options);
   std::optional<Passes> passes;
   {
     const Stopwatch watch(stats.seconds.upload);
-    passes.emplace(device, data, plan, scene, options, stats);
+    passes.emplace(device, data, plan, scene, options, footprint, stats);
   }
   passes->take(compiling.get());
   Image image = renderPictures(*passes, {data, plan, scene, options, core}, std::move(pictures),

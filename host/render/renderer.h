@@ -17,6 +17,7 @@ struct VulkanOptions {
   bool validate = false;              ///< every validation message is an error
   std::string traversal;              ///< as traversalOf() takes it
   std::uint64_t samplesInFlight = 0;  ///< for tests: 0 is the renderer's own choice
+  bool wholeFilm = false;             ///< for tests: renders what sees nothing too
   std::uint32_t generic = 0;          ///< for tests: constants that generalise() makes generic
 };
 

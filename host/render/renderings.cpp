@@ -67,6 +67,8 @@ std::vector<Rendering> renderingsOf(const Scene& scene, const RenderOptions& opt
   const auto add = [&](Integrator shown, std::vector<std::string> channels) {
     const SpecConstants constants = generalise(specialise(scene, shown, options), generic);
     pictures.push_back({kernelOf(shown, constants), std::move(channels), constants});
+    pictures.back().blackMisses = shown != Integrator::AverageVisibility &&
+                                  constants[shared::SPEC_BACKGROUND] == shared::BACKGROUND_BLACK;
   };
   add(scene.integrator, {"R", "G", "B"});
   for (Shown& shown : shownBeside(options.more, options.layers))

@@ -14,7 +14,8 @@ struct Rendering {
   std::string kernel;                 ///< shaders/<kernel>.comp
   std::vector<std::string> channels;  ///< in the file
   SpecConstants constants;
-  bool centres = false;  ///< not samples, but the ray through each pixel's centre
+  bool centres = false;      ///< not samples, but the ray through each pixel's centre
+  bool blackMisses = false;  ///< what meets nothing shows black
 };
 
 /// The scene's own picture first, then what the options ask for beside it. `generic` is as

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "render/attribute_form.h"
+#include "render/footprint.h"
 #include "render/kernels.h"
 #include "render/plan_lines.h"
 #include "render/renderings.h"
@@ -24,6 +25,16 @@ Line adaptive(const Scene& scene, const RenderOptions& options) {
           fmt::format("to an error of {:g}, which {} pilots of 1 sample decide", options.error,
                       kPilots),
           "", 0};
+}
+
+Line film(const SceneData& data, const Rendering& picture, const Crop& core,
+          const RenderOptions& options) {
+  if (!picture.blackMisses) return {"film", "all of it", "what meets nothing is not black", "", 0};
+  if (options.error != 0.0) return {"film", "all of it", "the pilots look where nothing is", "", 0};
+  const double seen = seenShare(footprintOf(data), picture, core, options);
+  return {"film", fmt::format("{:.1f} % of it", 100.0 * seen),
+          "the boxes of the tree are seen there",
+          fmt::format("rays and sums of {:.1f} %", 100.0 * (1.0 - seen)), 0};
 }
 
 /// The lines and figures of how the render is cut.
@@ -127,6 +138,7 @@ ScenePlan planScene(const Scene& scene, const RenderOptions& options,
   plan.lines = {integrator(scene, pictures.size(), kernel),
                 {"traversal", chosen.traversal, chosen.why, "", 0}};
   for (Line& line : sceneLines(facts)) plan.lines.push_back(std::move(line));
+  plan.lines.push_back(film(data, pictures.front(), coreOf(scene, options), options));
   plan.lines.push_back(adaptive(scene, options));
   addCut(scene, options, facts, device, plan);
   return plan;

@@ -90,7 +90,8 @@ nlohmann::json Stats::json() const {
             {"dropped", droppedSamples},
             {"perPass", samplesAPass},
             {"passes", passes},
-            {"bands", bands}}},
+            {"bands", bands},
+            {"seen", seen}}},
           {"adaptive",
            {{"error", adaptive.error},
             {"pilotSamples", adaptive.pilotSamples},
@@ -117,6 +118,10 @@ std::string Stats::text() const {
   out += '\n';
   out += fmt::format("samples      {} in {} passes of {} a pixel, {} bands, {} dropped\n", samples,
                      passes, samplesAPass, bands, droppedSamples);
+  if (seen < 1.0)
+    out +=
+        fmt::format("film         {:.1f} % of it sees nothing, and is neither traced nor summed\n",
+                    100.0 * (1.0 - seen));
   if (adaptive.error > 0.0)
     out += fmt::format(
         "adaptive     error {}: {:.2f} samples a pixel, {} to {}, {:.2f} % of the pixels at the "

@@ -235,6 +235,7 @@ struct Pass {
                  // sample of the dispatch; gather: rows of pixels an invocation. Adaptive: w is
                  // the first Work of the dispatch
   uvec4 lights;  // first, count, 1 in the first dispatch of a pass, 1 in the last
+  uvec4 part;    // first x and y, end of x and y: what of the region is traced, of the core gathered
 };
 
 // Compensated sums: value = sum + rest. rgb weighted radiance, a weight. From centres.comp: sum =
@@ -262,7 +263,7 @@ static_assert(sizeof(Light) == 32 && offsetof(Light, radiance) == 16);
 static_assert(sizeof(Jump) == 16);
 static_assert(sizeof(Count) == 16 && sizeof(Work) == 16);
 static_assert(sizeof(Params) == 368 && offsetof(Params, film) == 96);
-static_assert(sizeof(Pass) == 80);
+static_assert(sizeof(Pass) == 96);
 static_assert(sizeof(FilmPixel) == 32);
 static_assert(sizeof(Status) == 8);
 #endif

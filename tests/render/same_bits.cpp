@@ -79,6 +79,43 @@ TEST(SameBits, LaneAndPackets) {
   }
 }
 
+TEST(SameBits, TheWholeFilmOrWhatSeesSomething) {
+  VulkanOptions whole = cpuDevice();
+  whole.wholeFilm = true;
+  std::size_t less = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(scenesFolder())) {
+    if (entry.path().extension() != ".xml") continue;
+    const Scene scene = smallScene(entry.path().filename().string(), 131, 3);
+    RenderOptions options;
+    options.layers = {Layer::Normals, Layer::Depth, Layer::Id};
+    Stats stats;
+    const Image image = Renderer(cpuDevice()).render(scene, options, stats);
+    less += stats.seen < 0.9 ? 1 : 0;
+    EXPECT_EQ(differingFloats(image, render(scene, whole, options)), 0U) << scene.file;
+  }
+  EXPECT_GT(less, 4U);
+}
+
+TEST(SameBits, TheWholeFilmOrASpeckInBandsAndCrops) {
+  VulkanOptions whole = cpuDevice();
+  whole.wholeFilm = true;
+  Scene scene = smallScene("bunny-whitted.xml", 150, 20);
+  scene.meshes.resize(1);  // no floor
+  scene.camera.fov = 60.0;
+  for (const Filter::Kind kind : {Filter::Kind::Gaussian, Filter::Kind::Tent, Filter::Kind::Box}) {
+    scene.filter.kind = kind;
+    scene.filter.radius = kind == Filter::Kind::Box ? 0.5 : kind == Filter::Kind::Tent ? 1.0 : 4.0;
+    const Image image = render(scene, whole);
+    expectSameByAll(image, scene);
+    VulkanOptions bands = cpuDevice();
+    bands.samplesInFlight = std::uint64_t{150} * 20 * 8;
+    EXPECT_EQ(differingFloats(image, render(scene, bands)), 0U);
+    RenderOptions crop;
+    crop.crop = Crop{61, 50, 150, 83};
+    EXPECT_EQ(differingFloats(render(scene, whole, crop), render(scene, cpuDevice(), crop)), 0U);
+  }
+}
+
 TEST(SameBits, AnyNumberOfSamplesSideBySide) {
   // 85 samples of a mesh finer than the film: tiles of 64, 16, 4 and 1 samples.
   const Scene scene = smallScene("bunny-whitted.xml", 35, 85);
