@@ -167,6 +167,15 @@ bool Footprint::holds(const Crop& pixels) const {
   return true;
 }
 
+bool Footprint::meets(const Crop& pixels) const {
+  const int end = std::min(pixels.y1, height());
+  for (int y = std::max(pixels.y0, 0); y < end; ++y) {
+    const Span& row = rows_[static_cast<std::size_t>(y)];
+    if (std::max(row.x0, pixels.x0) < std::min(row.x1, pixels.x1)) return true;
+  }
+  return false;
+}
+
 Footprint Footprint::grown(int reach) const {
   Footprint all(width_, height());
   for (int y = 0; y < height(); ++y) {
@@ -232,10 +241,5 @@ std::vector<Crop> Footprint::parts(const Crop& area, const Costs& costs) const {
 }
 
 Footprint footprintOf(const SceneData& data) { return Collector(data).run(); }
-
-double seenShare(const Footprint& footprint, const Rendering& picture, const Crop& area,
-                 const RenderOptions& options) {
-  return picture.blackMisses && options.error == 0.0 ? footprint.share(area) : 1.0;
-}
 
 }  // namespace laver

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "render/renderings.h"
+#include "render/scene_data.h"
 
 namespace laver {
 
@@ -18,6 +18,8 @@ class Footprint {
   /// Sees these pixels too, as far as the film has them.
   void add(const Crop& pixels);
   bool holds(const Crop& pixels) const;
+  /// Some of these pixels see something.
+  bool meets(const Crop& pixels) const;
   /// All pixels of the film within `reach` columns and rows of those seen.
   Footprint grown(int reach) const;
   /// How much of an area is seen, from 0 to 1.
@@ -45,10 +47,5 @@ class Footprint {
 
 /// Pixels whose camera rays may meet a box of the tree; nothing where the kernels trace no rays.
 Footprint footprintOf(const SceneData& data);
-
-/// The share of an area of a picture that is traced: all of it where a miss is not black, and where
-/// adaptive sampling looks for itself.
-double seenShare(const Footprint& footprint, const Rendering& picture, const Crop& area,
-                 const RenderOptions& options);
 
 }  // namespace laver

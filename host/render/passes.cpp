@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "render/stopwatch.h"
 
@@ -28,7 +27,7 @@ std::span<const std::byte> bytes(const shared::Pass& pass) {
 }  // namespace
 
 Passes::Passes(const Device& device, const SceneData& data, const RenderPlan& plan,
-               const Scene& scene, const RenderOptions& options, Footprint footprint, Stats& stats)
+               const Scene& scene, const RenderOptions& options, Stats& stats)
     : device_(device),
       data_(data),
       plan_(plan),
@@ -36,7 +35,8 @@ Passes::Passes(const Device& device, const SceneData& data, const RenderPlan& pl
       options_(options),
       stats_(stats),
       onDevice_(device, data, plan),
-      footprint_(std::move(footprint)) {
+      footprint_(footprintOf(data)),
+      gatherable_(footprint_) {
   // Touched for the first time here, while kernels may still be compiled.
   onDevice_.film().fillZero();
 }
@@ -49,7 +49,8 @@ void Passes::take(Kernels kernels) {
 void Passes::begin(const Rendering& picture, bool taken) {
   kernel_ = picture.kernel;
   constants_ = picture.constants;
-  blackMisses_ = picture.blackMisses;
+  gatherable_ = Footprint::whole(footprint_.width(), footprint_.height());
+  if (picture.blackMisses) gatherable_ = footprint_.grown(apron());
   if (!taken) compileTrace();
 }
 
@@ -101,7 +102,7 @@ std::uint32_t Passes::add(const Crop& band, std::uint32_t first, std::uint32_t e
   pass.region = regionAround(band);
   pass.core = {band.x0, band.y0, band.x1 - band.x0, band.y1 - band.y0};
   if (mapped()) onDevice_.upload(map_->counts(pass.region));
-  planParts(pass);
+  if (!mapped()) planParts(pass);
   std::uint32_t done = first;
   while (done < end && !(options_.stop && options_.stop())) {
     pass.samples.x = done;
@@ -117,19 +118,14 @@ std::uint32_t Passes::add(const Crop& band, std::uint32_t first, std::uint32_t e
   return done;
 }
 
-/// Where misses are black, only what sees something has sums, and only what those need is traced.
+/// Only what sees something has sums, and only what those need is traced.
 void Passes::planParts(const shared::Pass& pass) {
-  const Crop region = cropOf(pass.region), core = cropOf(pass.core);
-  traced_ = {region};
-  gathered_ = {core};
-  if (!blackMisses_ || mapped()) return;
-  const auto apron = static_cast<int>(data_.constants[shared::SPEC_APRON]);
-  // Strips begin with the rows above them that reach into theirs.
   const double each = kDispatchSamples / plan_.samplesAPass;
-  gathered_ = footprint_.grown(apron).parts(core, {each, 2.0 * apron});
-  Footprint needed(footprint_.width(), footprint_.height());
+  // Strips begin with the rows above them that reach into theirs.
+  gathered_ = gatherable_.parts(cropOf(pass.core), {each, 2.0 * apron()});
+  Footprint needed(gatherable_.width(), gatherable_.height());
   for (const Crop& part : gathered_) needed.add(part);
-  traced_ = needed.grown(apron).parts(region, {each, 0});
+  traced_ = needed.grown(apron()).parts(cropOf(pass.region), {each, 0});
 }
 
 void Passes::forgetDropped() {
@@ -203,12 +199,12 @@ void Passes::gatherPass(shared::Pass pass) {
   const Stopwatch watch(stats_.seconds.reconstruct);
   pass.tiles = {mapped() ? shared::STRIP_ROWS : plan_.gatherRows, 0, 0, 0};
   device_.run([&](VkCommandBuffer commands) {
+    if (mapped()) {
+      pass.part = {0, 0, pass.core.z, pass.core.w};
+      return dispatchListed(commands, *gather_, pass, gathering_);
+    }
     for (const Crop& part : gathered_) {
       pass.part = within(part, pass.core);
-      if (mapped()) {
-        dispatchListed(commands, *gather_, pass, gathering_);
-        continue;
-      }
       // Strips begin where blocks of slots do, or halfway: up to as many columns before the part.
       const std::uint32_t columns = pass.part.z - pass.part.x + pass.core.x - pass.region.x;
       gather_->dispatch(commands, onDevice_.bindings(), bytes(pass),
@@ -221,9 +217,11 @@ void Passes::gatherPass(shared::Pass pass) {
 /// Lists the work of a pass where cells have counts of their own.
 void Passes::listWork(const shared::Pass& pass) {
   std::vector<shared::Work> list;
+  Footprint needed(gatherable_.width(), gatherable_.height());
+  gathering_ =
+      listGathering(*map_, pass, data_.constants[shared::SPEC_APRON], gatherable_, needed, list);
   for (std::size_t i = 0; i < kShifts.size(); ++i)
-    tracing_[i] = listTracing(*map_, pass, kShifts[i], list);
-  gathering_ = listGathering(*map_, pass, data_.constants[shared::SPEC_APRON], list);
+    tracing_[i] = listTracing(*map_, pass, kShifts[i], needed, list);
   onDevice_.upload(list);
 }
 

@@ -18,12 +18,14 @@ namespace laver {
 class Passes {
  public:
   Passes(const Device& device, const SceneData& data, const RenderPlan& plan, const Scene& scene,
-         const RenderOptions& options, Footprint footprint, Stats& stats);
+         const RenderOptions& options, Stats& stats);
 
   /// Takes kernels that were compiled for what begin() is called with next.
   void take(Kernels kernels);
   /// Makes the passes that follow those of a picture. Compiles its kernel, unless it was taken.
   void begin(const Rendering& picture, bool taken);
+  /// The share of an area that the picture begun may show something in; the rest is black untraced.
+  double seen(const Crop& area) const { return gatherable_.share(area); }
   /// From here on a pixel gets as many samples as the map says; null: as many as add() says.
   void use(const SampleMap* map) { map_ = map; }
 
@@ -59,6 +61,7 @@ class Passes {
   void dispatchSamples(VkCommandBuffer commands, shared::Pass pass) const;
   void gatherPass(shared::Pass pass);
   void planParts(const shared::Pass& pass);
+  int apron() const { return static_cast<int>(data_.constants[shared::SPEC_APRON]); }
   void listWork(const shared::Pass& pass);
   void dispatchListed(VkCommandBuffer commands, const Kernel& kernel, shared::Pass pass,
                       const WorkRange& work) const;
@@ -80,7 +83,7 @@ class Passes {
   bool filmIsClear_ = true;
   std::vector<std::byte> copy_;
   const Footprint footprint_;  ///< of the scene
-  bool blackMisses_ = false;
+  Footprint gatherable_;       ///< pixels that the present picture's samples may reach with a value
   std::vector<Crop> traced_, gathered_;  ///< what of the present band
   const SampleMap* map_ = nullptr;
   std::array<WorkRange, kShifts.size()> tracing_{};  ///< with a map only, as what follows

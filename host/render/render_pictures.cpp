@@ -38,10 +38,12 @@ class Render {
       Reached reached;
       if (whole) {
         passes_.begin(picture, first && guess == picture.constants);
-        if (first)
+        if (first) {
+          stats_.seen = passes_.seen(core_);
           renderFirst(reached);
-        else
+        } else {
           renderFilm(core_, wantedOf(picture), image_, reached);
+        }
         whole = reached.wholeRows == image_.height;
       }
       if (first)

@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "render/footprint.h"
 #include "render/kernels.h"
 #include "render/passes.h"
 #include "render/plan.h"
@@ -37,6 +36,8 @@ Image Renderer::render(const Scene& scene, const RenderOptions& options, Stats& 
 Image Renderer::render(const Scene& scene, const RenderOptions& options, FilmState& state,
                        Stats& stats) {
   std::vector<Rendering> pictures = renderingsOf(scene, options, impl_->options.generic);
+  if (impl_->options.wholeFilm)
+    for (Rendering& picture : pictures) picture.blackMisses = false;
   for (const Mesh& mesh : scene.meshes) stats.droppedTriangles += mesh.droppedTriangles;
   // Beside the building of the tree: the rest of the device's start, and the kernels.
   auto compiling = std::async(std::launch::async, [&] {
@@ -66,14 +67,10 @@ Image Renderer::render(const Scene& scene, const RenderOptions& options, FilmSta
   stats.samples = 0;
   stats.reached = {};
   stats.adaptive = {options.error};
-  const Footprint footprint = impl_->options.wholeFilm
-                                  ? Footprint::whole(scene.camera.width, scene.camera.height)
-                                  : footprintOf(data);
-  stats.seen = seenShare(footprint, pictures.front(), core, options);
   std::optional<Passes> passes;
   {
     const Stopwatch watch(stats.seconds.upload);
-    passes.emplace(device, data, plan, scene, options, footprint, stats);
+    passes.emplace(device, data, plan, scene, options, stats);
   }
   passes->take(compiling.get());
   Image image = renderPictures(*passes, {data, plan, scene, options, core}, std::move(pictures),

@@ -27,14 +27,12 @@ Line adaptive(const Scene& scene, const RenderOptions& options) {
           "", 0};
 }
 
-Line film(const SceneData& data, const Rendering& picture, const Crop& core,
-          const RenderOptions& options) {
+Line film(const SceneData& data, const Rendering& picture, const Crop& core) {
   if (!picture.blackMisses) return {"film", "all of it", "what meets nothing is not black", "", 0};
-  if (options.error != 0.0) return {"film", "all of it", "the pilots look where nothing is", "", 0};
-  const double seen = seenShare(footprintOf(data), picture, core, options);
-  return {"film", fmt::format("{:.1f} % of it", 100.0 * seen),
-          "the boxes of the tree are seen there",
-          fmt::format("rays and sums of {:.1f} %", 100.0 * (1.0 - seen)), 0};
+  const auto apron = static_cast<int>(data.constants[shared::SPEC_APRON]);
+  const double seen = 100.0 * footprintOf(data).grown(apron).share(core);
+  return {"film", fmt::format("{:.1f} % of it", seen), "elsewhere no box of the tree is seen",
+          fmt::format("rays and sums of {:.1f} %", 100.0 - seen), 0};
 }
 
 /// The lines and figures of how the render is cut.
@@ -138,7 +136,7 @@ ScenePlan planScene(const Scene& scene, const RenderOptions& options,
   plan.lines = {integrator(scene, pictures.size(), kernel),
                 {"traversal", chosen.traversal, chosen.why, "", 0}};
   for (Line& line : sceneLines(facts)) plan.lines.push_back(std::move(line));
-  plan.lines.push_back(film(data, pictures.front(), coreOf(scene, options), options));
+  plan.lines.push_back(film(data, pictures.front(), coreOf(scene, options)));
   plan.lines.push_back(adaptive(scene, options));
   addCut(scene, options, facts, device, plan);
   return plan;

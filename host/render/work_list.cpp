@@ -31,7 +31,7 @@ std::uint32_t samplesOf(const shared::Pass& pass, std::uint32_t count) {
 }  // namespace
 
 WorkRange listTracing(const SampleMap& map, const shared::Pass& pass, std::uint32_t shift,
-                      std::vector<shared::Work>& list) {
+                      const Footprint& needed, std::vector<shared::Work>& list) {
   const std::size_t start = list.size();
   if (shift > 4) return {};
   const std::uint32_t side = 8U >> shift / 2, together = 1U << shift;
@@ -45,8 +45,10 @@ WorkRange listTracing(const SampleMap& map, const shared::Pass& pass, std::uint3
     const std::uint32_t y =
         y0 + static_cast<std::uint32_t>(std::uint64_t{i} * stride % rows) * cell;
     for (std::uint32_t x = x0; x != x0 + columns * cell; x += cell) {
-      const std::uint32_t has = samplesOf(pass, map.pixel(static_cast<int>(pass.region.x + x),
-                                                          static_cast<int>(pass.region.y + y)));
+      const int left = static_cast<int>(pass.region.x + x);
+      const int top = static_cast<int>(pass.region.y + y), wide = static_cast<int>(cell);
+      if (!needed.meets({left, top, left + wide, top + wide})) continue;
+      const std::uint32_t has = samplesOf(pass, map.pixel(left, top));
       // Those before them go by four times as many.
       const std::uint32_t first = shift == 4 ? 0 : has / (4 * together) * (4 * together);
       for (std::uint32_t s = first; s + together <= has; s += together)
@@ -58,6 +60,7 @@ WorkRange listTracing(const SampleMap& map, const shared::Pass& pass, std::uint3
 }
 
 WorkRange listGathering(const SampleMap& map, const shared::Pass& pass, std::uint32_t apron,
+                        const Footprint& gathered, Footprint& needed,
                         std::vector<shared::Work>& list) {
   constexpr std::uint32_t kColumns = shared::STRIP_COLUMNS, kRows = shared::STRIP_ROWS;
   constexpr std::uint32_t kTogether = shared::GATHER_GROUP / kColumns;
@@ -70,12 +73,16 @@ WorkRange listGathering(const SampleMap& map, const shared::Pass& pass, std::uin
     for (std::uint32_t column = 0; column * kColumns < end; ++column) {
       const int x = static_cast<int>(pass.core.x + column * kColumns);
       const int y = static_cast<int>(pass.core.y + row * kRows);
-      const Crop seen{std::max(x - static_cast<int>(kColumns) + 1 - reach, region.x0),
-                      std::max(y - reach, region.y0),
-                      std::min(x + static_cast<int>(kColumns) + reach, region.x1),
-                      std::min(y + static_cast<int>(kRows) + reach, region.y1)};
-      const std::uint32_t samples = samplesOf(pass, map.most(seen));
-      if (samples != 0) list.push_back({column, row, samples, 0});
+      const Crop strip{x - static_cast<int>(kColumns) + 1, y, x + static_cast<int>(kColumns),
+                       y + static_cast<int>(kRows)};
+      if (!gathered.meets(strip)) continue;
+      const Crop taken{std::max(strip.x0 - reach, region.x0), std::max(strip.y0 - reach, region.y0),
+                       std::min(strip.x1 + reach, region.x1),
+                       std::min(strip.y1 + reach, region.y1)};
+      const std::uint32_t samples = samplesOf(pass, map.most(taken));
+      if (samples == 0) continue;
+      list.push_back({column, row, samples, 0});
+      needed.add(taken);
     }
   // Lanes of one subgroup wait for the one with most samples.
   std::stable_sort(list.begin() + static_cast<std::ptrdiff_t>(start), list.end(),

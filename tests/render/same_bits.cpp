@@ -113,6 +113,12 @@ TEST(SameBits, TheWholeFilmOrASpeckInBandsAndCrops) {
     RenderOptions crop;
     crop.crop = Crop{61, 50, 150, 83};
     EXPECT_EQ(differingFloats(render(scene, whole, crop), render(scene, cpuDevice(), crop)), 0U);
+    RenderOptions adaptive;
+    adaptive.error = 0.02;
+    adaptive.layers = {Layer::Samples};
+    const Image counted = render(scene, whole, adaptive);
+    for (const VulkanOptions& vulkan : {cpuDevice(), bands})
+      EXPECT_EQ(differingFloats(counted, render(scene, vulkan, adaptive)), 0U);
   }
 }
 
