@@ -11,8 +11,9 @@ struct LaverRender {
   Stats stats;
 };
 
-/// Renders as `laver` does, on the CPU device with `threads` of the driver's threads.
-LaverRender renderWithLaver(const Scene& scene, unsigned threads,
-                            const std::string& traversal = {});
+/// Renders as `laver` does, on the CPU device with `threads` of the driver's threads; with
+/// `everyRay` also what of the film sees nothing.
+LaverRender renderWithLaver(const Scene& scene, unsigned threads, const std::string& traversal = {},
+                            bool everyRay = false);
 
 }  // namespace laver::bench
