@@ -21,7 +21,7 @@ namespace {
 constexpr std::uint32_t kPass = 16;
 
 struct Command {
-  std::string scene, output = "embree.exr", stats, size, filter, sampler, ignored;
+  std::string scene, output = "embree.exr", stats, size, filter, sampler, isa, ignored;
   std::uint32_t samples = 0;
   unsigned threads = 0;
   bool quiet = false;
@@ -70,7 +70,8 @@ void render(const Command& command) {
   if (scene.integrator == Integrator::Normals)
     throw Error(ExitCode::Scene, "Embree's side renders depth and direct_whitted");
   const unsigned threads = threadCount(command.threads);
-  const EmbreeDevice device("threads=" + std::to_string(threads));
+  const EmbreeDevice device("threads=" + std::to_string(threads) +
+                            (command.isa.empty() ? "" : ",isa=" + command.isa));
   const EmbreeMesh mesh(scene);
   const EmbreeScene tree(device, mesh, RTC_SCENE_FLAG_ROBUST, RTC_BUILD_QUALITY_MEDIUM);
   const SceneData data = pack(scene);
@@ -113,6 +114,7 @@ int main(int argc, char** argv) {
   app.add_option("--sampler", command.sampler);
   app.add_option("--stats", command.stats);
   app.add_option("-t,--threads", command.threads);
+  app.add_option("--isa", command.isa, "what Embree is held to: avx2, say; default: all it can");
   app.add_option("--device", command.ignored, "taken, and of no effect");
   app.add_flag("-q,--quiet", command.quiet, "taken: nothing is printed");
   CLI11_PARSE(app, argc, argv);
