@@ -1,6 +1,6 @@
 # The target chart: speed against accuracy of two scenes, beside Embree where it is installed. It
 # takes some minutes, goes on where it was interrupted, and makes the pictures of the README.
-set(LAVER_CHART_OPTIONS --size 192x192 --runs 5 --spp 64 --reference-spp 256)
+set(LAVER_CHART_OPTIONS --runs 5 --spp 64 --reference-spp 256)
 if(TARGET laver_embree)
   list(APPEND LAVER_CHART_OPTIONS --program embree $<TARGET_FILE:laver_embree>)
 endif()

@@ -81,7 +81,11 @@ std::map<std::string, double> comparePasses(Report& report, const EmbreeScenes& 
   EmbreePass pass(packScene(scene, {}, specialise(scene, {})), setup.samples);
   std::vector<Side> sides = sidesOf(embree, setup);
   EmbreePass::Result result;
-  std::vector<double> seconds, rendered;
+  // A scene without lights is black: its samples are made and stored, and no ray is traced.
+  Scene unlit = scene;
+  unlit.integrator = Integrator::DirectWhitted;
+  unlit.lights.clear();
+  std::vector<double> seconds, rendered, alone;
   LaverRender laver, asRendered;
   // A whole render each round; the first, which may compile the kernel, is not counted.
   const std::size_t count = setup.samples == 1 ? rounds.passes : rounds.renders;
@@ -90,6 +94,10 @@ std::map<std::string, double> comparePasses(Report& report, const EmbreeScenes& 
     asRendered = renderWithLaver(scene, setup.threads, fasterPackets(scene));
     if (round > 0) seconds.push_back(laver.stats.seconds.trace);
     if (round > 0) rendered.push_back(asRendered.stats.seconds.trace);
+    if (setup.everyCall || setup.samples == 16) {
+      const auto made = renderWithLaver(unlit, setup.threads, fasterPackets(scene), true).stats;
+      if (round > 0) alone.push_back(made.seconds.trace);
+    }
     for (Side& side : sides) {
       result = pass.run(side.call, 0, setup.samples, setup.threads);
       if (round > 0) side.seconds.push_back(result.seconds);
@@ -118,6 +126,7 @@ std::map<std::string, double> comparePasses(Report& report, const EmbreeScenes& 
                 {{"samples a pass", laver.stats.samplesAPass}});
   report.timing("laver, what sees something", rendered, rays, laverMedian,
                 {{"of the film", asRendered.stats.seen}});
+  if (!alone.empty()) report.timing("laver, generate and store alone", alone, rays, laverMedian);
   std::map<std::string, double> ratios;
   ratios[kAsRendered] = laverMedian / median(rendered);
   for (const Side& side : sides) {
