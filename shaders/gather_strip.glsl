@@ -28,12 +28,12 @@ void hand(Weighed mine, Weighed alone, uint from, bool atEnd, uint lender, out W
 // Adds samples number s of a row of pixels to what they reach of columns x to x + 3 of the region.
 void addRow(inout vec4 sums[COLUMNS][REACH], int x, int row, uint s) {
   // The strip is half a block of slots. All is read at once, so that little waits for memory.
-  const int start = inRegion(x, row) ? sampleSlot(uvec3(x, row, s)) : 0;
+  const int start = inRegion(x, row) ? sampleSlot(uvec3(x, row, s)) : writtenSlot;
   const vec4 inY = texelFetch(sampleYTexels, start / 4);
   Gathered g[COLUMNS];
   [[unroll]] for (uint c = 0u; c < COLUMNS; ++c)
     g[c] = gathered(ivec2(x + c, row), s,
-                    texelFetch(sampleTexels, inRegion(x + int(c), row) ? start + int(c) : 0),
+                    texelFetch(sampleTexels, inRegion(x + int(c), row) ? start + int(c) : writtenSlot),
                     inY[c]);
 
   Weighed w[WIDTH];

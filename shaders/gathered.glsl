@@ -15,6 +15,10 @@ bool inRegion(int x, int y) {
   return x >= 0 && y >= 0 && x < int(pass.region.z) && y < int(pass.region.w);
 }
 
+// A slot that the pass has written, for places that have none: what lies elsewhere may be NaN, which
+// no weight makes zero.
+int writtenSlot;
+
 // From what is stored: outside the region any sample's value, and any number for inY.
 Gathered gathered(ivec2 place, uint s, vec4 value, float inY) {
   const bool exists = inRegion(place.x, place.y);
@@ -22,7 +26,8 @@ Gathered gathered(ivec2 place, uint s, vec4 value, float inY) {
   if (!exists) g.value.w = DROPPED;
   if (ADAPTIVE) {
     // Where nothing was traced lies what an earlier pass left, or nothing yet.
-    g.share = shareOf(exists ? uvec2(place) : uvec2(0u), s);
+    const float share = shareOf(exists ? uvec2(place) : uvec2(0u), s);
+    g.share = exists ? share : 0.0;
     g.value = g.share > 0.0 ? g.value : vec4(0.0, 0.0, 0.0, DROPPED);
     g.inY = g.share > 0.0 ? g.inY : 0.0;
   }
@@ -30,7 +35,7 @@ Gathered gathered(ivec2 place, uint s, vec4 value, float inY) {
 }
 
 Gathered gathered(ivec2 place, uint s) {
-  const int slot = inRegion(place.x, place.y) ? sampleSlot(uvec3(place, s)) : 0;
+  const int slot = inRegion(place.x, place.y) ? sampleSlot(uvec3(place, s)) : writtenSlot;
   return gathered(place, s, texelFetch(sampleTexels, slot),
                   texelFetch(sampleYTexels, slot / 4)[slot % 4]);
 }

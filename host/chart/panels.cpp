@@ -1,7 +1,9 @@
 // The panels of a chart: what stands where.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -99,7 +101,7 @@ Panel methodPanel(const Chart& chart, const std::string& quantity) {
   panel.yLabel = quantity == "t"        ? "99th percentile of the error of t, ulp"
                  : quantity == "normal" ? "99th percentile of the error of the normal, 2^-24"
                                         : "unexcused answers, share of aimed rays";
-  std::map<std::string, std::uint64_t> worst;  // of all boxes and nodes
+  std::map<std::string, std::array<std::uint64_t, 3>> worst;  // by boxes, of both forms of nodes
   for (std::size_t i = 0; i < chart.methods.size(); ++i) {
     const MethodPoint& m = chart.methods[i];
     auto curve = std::find_if(panel.curves.begin(), panel.curves.end(),
@@ -112,22 +114,22 @@ Panel methodPanel(const Chart& chart, const std::string& quantity) {
                                           false});
     const double share = static_cast<double>(m.unexcused) / static_cast<double>(m.rays);
     const double y = quantity == "t" ? m.t99 : quantity == "normal" ? m.normal99 : share;
-    const std::string form = (m.boxes == "ours"           ? "o"
-                              : m.boxes == "robust slabs" ? "r"
-                                                          : "p") +
-                             std::string(m.nodes == "32 bits" ? "" : "8");
+    const std::size_t boxes = m.boxes == "ours" ? 2 : m.boxes == "robust slabs" ? 1 : 0;
+    const std::string form = std::string(1, "pro"[boxes]) + (m.nodes == "32 bits" ? "" : "8");
     curve->marks.push_back(
         {m.nanoseconds, m.quartiles[0], m.quartiles[1], y, methodAnchor(i),
          fmt::format("{}, {}, {}: {:.3g} ns a ray, {} of {} aimed rays unexcused", m.triangles,
                      m.boxes, m.nodes, m.nanoseconds, m.unexcused, m.rays),
          form});
-    worst[m.triangles] = std::max(worst[m.triangles], m.unexcused);
+    std::uint64_t& most = worst[m.triangles][boxes];
+    most = std::max(most, m.unexcused);
   }
   panel.notes = {"boxes: p plain, r robust,", "o ours; 8: nodes of 8 bits"};
   if (!chart.methods.empty())
-    panel.notes.push_back(fmt::format("unexcused of {} rays:", chart.methods[0].rays));
+    panel.notes.push_back(fmt::format("unexcused of {} rays, by p, r, o:", chart.methods[0].rays));
   for (const Curve& curve : panel.curves)
-    panel.notes.push_back(fmt::format("  {} {}", worst.at(curve.label), curve.label));
+    panel.notes.push_back(
+        fmt::format("  {} {}", fmt::join(worst.at(curve.label), ", "), curve.label));
   return panel;
 }
 

@@ -50,8 +50,9 @@ DeviceScene::DeviceScene(const Device& device, const SceneData& data, const Rend
   uploadTexels(shared::BIND_UVS, "texture coordinates", data.uvs, 0, VK_FORMAT_R32G32_UINT);
   uploadTexels(shared::BIND_IMAGES, "pictures", data.images, 0, VK_FORMAT_R32_UINT);
 
-  samples(shared::BIND_SAMPLES, shared::BIND_SAMPLE_TEXELS, plan.sampleSlots);
-  samples(shared::BIND_SAMPLES_Y, shared::BIND_SAMPLE_Y_TEXELS, (plan.sampleSlots + 3) / 4);
+  samples_ = samples(shared::BIND_SAMPLES, shared::BIND_SAMPLE_TEXELS, plan.sampleSlots);
+  samplesY_ =
+      samples(shared::BIND_SAMPLES_Y, shared::BIND_SAMPLE_Y_TEXELS, (plan.sampleSlots + 3) / 4);
 
   film_ = Buffer(device, "film", Buffer::Use::Storage, plan.bandPixels * sizeof(shared::FilmPixel));
   bindings_.bind(shared::BIND_FILM, film_);
@@ -85,11 +86,15 @@ void DeviceScene::refill(Texels& texels, std::uint32_t binding, const char* what
   if (!data.empty()) texels.buffer.upload(data);
 }
 
-void DeviceScene::samples(std::uint32_t written, std::uint32_t read, std::uint64_t texels) {
+Buffer DeviceScene::samples(std::uint32_t written, std::uint32_t read, std::uint64_t texels) {
   Buffer buffer(device_, "samples", Buffer::Use::StorageTexels, alike(texels * 16, 16));
   bindings_.bind(written, buffer);
   bindTexels(read, buffer, VK_FORMAT_R32G32B32A32_SFLOAT);
-  buffers_.push_back(std::move(buffer));
+  return buffer;
+}
+
+void DeviceScene::poisonSamples() const {
+  for (const Buffer* buffer : {&samples_, &samplesY_}) buffer->fill(0xffffffffU);
 }
 
 void DeviceScene::bindTexels(std::uint32_t binding, const Buffer& buffer, VkFormat format) {

@@ -19,6 +19,8 @@ class DeviceScene {
 
   const Bindings& bindings() const { return bindings_; }
   const Buffer& film() const { return film_; }
+  /// Makes NaN of all samples.
+  void poisonSamples() const;
   const Buffer& status() const { return status_; }
 
   /// New parameters for the dispatches that follow.
@@ -34,7 +36,7 @@ class DeviceScene {
   };
   void refill(Texels& texels, std::uint32_t binding, const char* what,
               std::span<const std::byte> data);
-  void samples(std::uint32_t written, std::uint32_t read, std::uint64_t texels);
+  Buffer samples(std::uint32_t written, std::uint32_t read, std::uint64_t texels);
   void bindTexels(std::uint32_t binding, const Buffer& buffer, VkFormat format);
   template <class T, class A>
   void uploadTexels(std::uint32_t binding, const char* what, const std::vector<T, A>& data,
@@ -44,7 +46,7 @@ class DeviceScene {
   Bindings bindings_;
   std::vector<Buffer> buffers_;
   std::vector<Handle<VkBufferView>> views_;
-  Buffer params_, film_, status_;
+  Buffer params_, film_, status_, samples_, samplesY_;
   Texels counts_, work_;
 };
 

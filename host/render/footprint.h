@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "render/scene_data.h"
+#include "scene/render_options.h"
 
 namespace laver {
 
@@ -44,8 +44,5 @@ class Footprint {
   int width_;
   std::vector<Span> rows_;
 };
-
-/// Pixels whose camera rays may meet a box of the tree; nothing where the kernels trace no rays.
-Footprint footprintOf(const SceneData& data);
 
 }  // namespace laver

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "render/projection.h"
 #include "render/stopwatch.h"
 
 namespace laver {

@@ -20,6 +20,8 @@ class Passes {
   Passes(const Device& device, const SceneData& data, const RenderPlan& plan, const Scene& scene,
          const RenderOptions& options, Stats& stats);
 
+  /// For tests: samples are NaN until they are traced.
+  void poison() { onDevice_.poisonSamples(); }
   /// Takes kernels that were compiled for what begin() is called with next.
   void take(Kernels kernels);
   /// Makes the passes that follow those of a picture. Compiles its kernel, unless it was taken.

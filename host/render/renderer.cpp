@@ -72,6 +72,7 @@ Image Renderer::render(const Scene& scene, const RenderOptions& options, FilmSta
     const Stopwatch watch(stats.seconds.upload);
     passes.emplace(device, data, plan, scene, options, stats);
   }
+  if (impl_->options.poisoned) passes->poison();
   passes->take(compiling.get());
   Image image = renderPictures(*passes, {data, plan, scene, options, core}, std::move(pictures),
                                state, stats);

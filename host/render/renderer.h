@@ -18,6 +18,7 @@ struct VulkanOptions {
   std::string traversal;              ///< as traversalOf() takes it
   std::uint64_t samplesInFlight = 0;  ///< for tests: 0 is the renderer's own choice
   bool wholeFilm = false;             ///< for tests: renders what sees nothing too
+  bool poisoned = false;              ///< for tests: samples are NaN until they are traced
   std::uint32_t generic = 0;          ///< for tests: constants that generalise() makes generic
 };
 

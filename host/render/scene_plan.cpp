@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "render/attribute_form.h"
-#include "render/footprint.h"
 #include "render/kernels.h"
 #include "render/plan_lines.h"
+#include "render/projection.h"
 #include "render/renderings.h"
 #include "render/sample_map.h"
 #include "render/traversal.h"

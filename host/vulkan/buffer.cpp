@@ -145,9 +145,10 @@ std::span<const std::byte> Buffer::contents(VkDeviceSize bytes,
   return copy;
 }
 
-void Buffer::fillZero(VkDeviceSize from) const {
-  device_->run(
-      [&](VkCommandBuffer commands) { vkCmdFillBuffer(commands, get(), from, VK_WHOLE_SIZE, 0); });
+void Buffer::fill(std::uint32_t word, VkDeviceSize from) const {
+  device_->run([&](VkCommandBuffer commands) {
+    vkCmdFillBuffer(commands, get(), from, VK_WHOLE_SIZE, word);
+  });
 }
 
 VkDeviceSize texelBytes(VkFormat format) {

@@ -25,7 +25,8 @@ class Buffer {
 
   void upload(std::span<const std::byte> data) const;
   void download(std::span<std::byte> data) const;
-  void fillZero(VkDeviceSize from = 0) const;
+  void fillZero(VkDeviceSize from = 0) const { fill(0, from); }
+  void fill(std::uint32_t word, VkDeviceSize from = 0) const;
   /// The first `bytes`: in place where the host reads them at speed, else downloaded to `copy`.
   std::span<const std::byte> contents(VkDeviceSize bytes, std::vector<std::byte>& copy) const;
 

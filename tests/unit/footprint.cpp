@@ -1,10 +1,9 @@
 // Where the film can see the scene.
-#include "render/footprint.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
 
+#include "render/projection.h"
 #include "render/specialise.h"
 
 namespace laver {
