@@ -1,6 +1,5 @@
 // The panels of a chart: what stands where.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -125,11 +124,12 @@ Panel methodPanel(const Chart& chart, const std::string& quantity) {
     most = std::max(most, m.unexcused);
   }
   panel.notes = {"boxes: p plain, r robust,", "o ours; 8: nodes of 8 bits"};
-  if (!chart.methods.empty())
-    panel.notes.push_back(fmt::format("unexcused of {} rays, by p, r, o:", chart.methods[0].rays));
+  if (chart.methods.empty()) return panel;
+  panel.notes.push_back(fmt::format("unexcused of {} rays,", chart.methods[0].rays));
+  panel.notes.emplace_back("by boxes o:");
   for (const Curve& curve : panel.curves)
-    panel.notes.push_back(
-        fmt::format("  {} {}", fmt::join(worst.at(curve.label), ", "), curve.label));
+    panel.notes.push_back(fmt::format("  {} {}", worst.at(curve.label)[2], curve.label));
+  panel.notes.push_back(fmt::format("by boxes p: {} ours", worst["ours"][0]));
   return panel;
 }
 
