@@ -140,7 +140,7 @@ TEST(FootprintParts, HoldAllThatIsSeenOnceForAnyCosts) {
     const int x0 = static_cast<int>(random() % 60), y0 = static_cast<int>(random() % 100);
     const Crop area{x0, y0, x0 + 1 + static_cast<int>(random() % 60),
                     y0 + 1 + static_cast<int>(random() % 300)};
-    const double each = static_cast<double>(random() % 500);
+    const auto each = static_cast<double>(random() % 500);
     const auto parts = seen.parts(area, {each, static_cast<double>(random() % 5)});
     EXPECT_TRUE(covers(parts, seen, area)) << round;
     for (const Crop& p : parts) {
