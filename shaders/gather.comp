@@ -42,8 +42,7 @@ void main() {
   const int first = part.y + int(strip.y * pass.tiles.x);
   const int end = min(first + int(pass.tiles.x), part.w);
 
-  // Lists of work say by themselves what nothing was traced for.
-  writtenSlot = ADAPTIVE ? 0 : sampleSlot(uvec3(part.xy + shift, 0));
+  writtenSlot = sampleSlot(uvec3(part.xy + shift, 0));
   for (uint group = 0u; group < strip.z; group += GATHER_SAMPLES) {
     const uint groupEnd = min(group + GATHER_SAMPLES, strip.z);
     vec4 sums[COLUMNS][REACH];  // of rows row - apron to row + apron

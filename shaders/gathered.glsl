@@ -16,7 +16,7 @@ bool inRegion(int x, int y) {
 }
 
 // A slot that the pass has written, for places that have none: what lies elsewhere may be NaN, which
-// no weight makes zero.
+// no weight makes zero. Adaptive passes may not have written it, and look at shares.
 int writtenSlot;
 
 // From what is stored: outside the region any sample's value, and any number for inY.

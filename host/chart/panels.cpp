@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -100,7 +99,8 @@ Panel methodPanel(const Chart& chart, const std::string& quantity) {
   panel.yLabel = quantity == "t"        ? "99th percentile of the error of t, ulp"
                  : quantity == "normal" ? "99th percentile of the error of the normal, 2^-24"
                                         : "unexcused answers, share of aimed rays";
-  std::map<std::string, std::array<std::uint64_t, 3>> worst;  // by boxes, of both forms of nodes
+  std::map<std::string, std::uint64_t> worst;  // by laver's boxes, of both forms of nodes
+  std::uint64_t plain = 0;                     // of laver's triangles by plain slabs
   for (std::size_t i = 0; i < chart.methods.size(); ++i) {
     const MethodPoint& m = chart.methods[i];
     auto curve = std::find_if(panel.curves.begin(), panel.curves.end(),
@@ -113,23 +113,25 @@ Panel methodPanel(const Chart& chart, const std::string& quantity) {
                                           false});
     const double share = static_cast<double>(m.unexcused) / static_cast<double>(m.rays);
     const double y = quantity == "t" ? m.t99 : quantity == "normal" ? m.normal99 : share;
-    const std::size_t boxes = m.boxes == "ours" ? 2 : m.boxes == "robust slabs" ? 1 : 0;
-    const std::string form = std::string(1, "pro"[boxes]) + (m.nodes == "32 bits" ? "" : "8");
+    const std::string form = (m.boxes == "ours"           ? "o"
+                              : m.boxes == "robust slabs" ? "r"
+                                                          : "p") +
+                             std::string(m.nodes == "32 bits" ? "" : "8");
     curve->marks.push_back(
         {m.nanoseconds, m.quartiles[0], m.quartiles[1], y, methodAnchor(i),
          fmt::format("{}, {}, {}: {:.3g} ns a ray, {} of {} aimed rays unexcused", m.triangles,
                      m.boxes, m.nodes, m.nanoseconds, m.unexcused, m.rays),
          form});
-    std::uint64_t& most = worst[m.triangles][boxes];
-    most = std::max(most, m.unexcused);
+    if (m.boxes == "ours") worst[m.triangles] = std::max(worst[m.triangles], m.unexcused);
+    if (m.boxes == "plain slabs" && m.triangles == "ours") plain = std::max(plain, m.unexcused);
   }
   panel.notes = {"boxes: p plain, r robust,", "o ours; 8: nodes of 8 bits"};
   if (chart.methods.empty()) return panel;
   panel.notes.push_back(fmt::format("unexcused of {} rays,", chart.methods[0].rays));
   panel.notes.emplace_back("by boxes o:");
   for (const Curve& curve : panel.curves)
-    panel.notes.push_back(fmt::format("  {} {}", worst.at(curve.label)[2], curve.label));
-  panel.notes.push_back(fmt::format("by boxes p: {} ours", worst["ours"][0]));
+    panel.notes.push_back(fmt::format("  {} {}", worst[curve.label], curve.label));
+  panel.notes.push_back(fmt::format("by boxes p: {} ours", plain));
   return panel;
 }
 

@@ -19,9 +19,9 @@ class DeviceScene {
 
   const Bindings& bindings() const { return bindings_; }
   const Buffer& film() const { return film_; }
+  const Buffer& status() const { return status_; }
   /// Makes NaN of all samples.
   void poisonSamples() const;
-  const Buffer& status() const { return status_; }
 
   /// New parameters for the dispatches that follow.
   void upload(const shared::Params& params) const;

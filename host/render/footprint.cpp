@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "shared/layout.h"
+
 namespace laver {
 namespace {
 
-constexpr int kColumns = 8;  // of a block of slots
+constexpr int kColumns = shared::SLOT_COLUMNS;
 constexpr int kUnits = 256;  // at most: as many groups of rows may begin a rectangle
 
 int multipleBelow(int x) { return x / kColumns * kColumns; }

@@ -30,7 +30,7 @@ class Footprint {
     double each = 0, column = 0;
   };
   /// The cheapest rectangles that hold all that is seen of an area, from the top down; no two have
-  /// a row in common. They begin at multiples of 8 columns from the area's left.
+  /// a row in common. They begin at multiples of SLOT_COLUMNS from the area's left.
   std::vector<Crop> parts(const Crop& area, const Costs& costs) const;
 
  private:

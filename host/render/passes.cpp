@@ -102,8 +102,10 @@ std::uint32_t Passes::add(const Crop& band, std::uint32_t first, std::uint32_t e
   shared::Pass pass{};
   pass.region = regionAround(band);
   pass.core = {band.x0, band.y0, band.x1 - band.x0, band.y1 - band.y0};
-  if (mapped()) onDevice_.upload(map_->counts(pass.region));
-  if (!mapped()) planParts(pass);
+  if (mapped())
+    onDevice_.upload(map_->counts(pass.region));
+  else
+    planParts(pass);
   std::uint32_t done = first;
   while (done < end && !(options_.stop && options_.stop())) {
     pass.samples.x = done;
@@ -184,9 +186,9 @@ void Passes::dispatchSamples(VkCommandBuffer commands, shared::Pass pass) const 
     }
     const std::uint32_t count = (pass.samples.y - done) >> shift;
     if (count == 0 || 1U << shift > plan_.sideBySide) continue;
+    const std::uint32_t side = 8U >> shift / 2;
     for (const Crop& part : traced_) {
       pass.part = within(part, pass.region);
-      const std::uint32_t side = 8U >> shift / 2;
       const std::uint32_t rows = groups(pass.part.w - pass.part.y, side);
       pass.tiles = {rows, rowStride(rows), shift, done};
       trace_->dispatch(commands, onDevice_.bindings(), bytes(pass),

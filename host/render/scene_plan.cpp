@@ -27,12 +27,16 @@ Line adaptive(const Scene& scene, const RenderOptions& options) {
           "", 0};
 }
 
-Line film(const SceneData& data, const Rendering& picture, const Crop& core) {
-  if (!picture.blackMisses) return {"film", "all of it", "what meets nothing is not black", "", 0};
+double seenShare(const SceneData& data, const Rendering& picture, const Crop& core) {
   const auto apron = static_cast<int>(data.constants[shared::SPEC_APRON]);
-  const double seen = 100.0 * footprintOf(data).grown(apron).share(core);
-  return {"film", fmt::format("{:.1f} % of it", seen), "elsewhere no box of the tree is seen",
-          fmt::format("rays and sums of {:.1f} %", 100.0 - seen), 0};
+  return picture.blackMisses ? footprintOf(data).grown(apron).share(core) : 1.0;
+}
+
+Line film(const Rendering& picture, double seen) {
+  if (!picture.blackMisses) return {"film", "all of it", "what meets nothing is not black", "", 0};
+  return {"film", fmt::format("{:.1f} % of it", 100.0 * seen),
+          "elsewhere no box of the tree is seen",
+          fmt::format("rays and sums of {:.1f} %", 100.0 * (1.0 - seen)), 0};
 }
 
 /// The lines and figures of how the render is cut.
@@ -136,9 +140,11 @@ ScenePlan planScene(const Scene& scene, const RenderOptions& options,
   plan.lines = {integrator(scene, pictures.size(), kernel),
                 {"traversal", chosen.traversal, chosen.why, "", 0}};
   for (Line& line : sceneLines(facts)) plan.lines.push_back(std::move(line));
-  plan.lines.push_back(film(data, pictures.front(), coreOf(scene, options)));
+  const double seen = seenShare(data, pictures.front(), coreOf(scene, options));
+  plan.lines.push_back(film(pictures.front(), seen));
   plan.lines.push_back(adaptive(scene, options));
   addCut(scene, options, facts, device, plan);
+  plan.figures["seen"] = seen;
   return plan;
 }
 

@@ -48,6 +48,7 @@ TEST(ScenePlan, BytesAreThoseThatAGenericRenderUploadsMore) {
 }
 
 TEST(ScenePlan, FiguresAreThoseOfTheRender) {
+  int less = 0;
   for (const char* name : {"bunny-whitted.xml", "cornell-two-lights.xml"}) {
     const Scene scene = smallScene(name, 300, 37);
     RenderOptions options;
@@ -59,9 +60,12 @@ TEST(ScenePlan, FiguresAreThoseOfTheRender) {
     EXPECT_EQ(figures["passesABand"].get<unsigned>() * stats.bands, stats.passes);
     EXPECT_EQ(figures["samplesAPass"], stats.samplesAPass);
     EXPECT_EQ(figures["nodes"], stats.nodes);
+    EXPECT_EQ(figures["seen"], stats.seen);
     EXPECT_EQ(figures["depth"], stats.depth);
     EXPECT_EQ(figures["stackNeeded"], stats.stack);
+    less += stats.seen < 1.0 ? 1 : 0;
   }
+  EXPECT_EQ(less, 1);  // the crop of the box has no black edge
 }
 
 TEST(ScenePlan, TellsTheTraversalThatTheRenderTakes) {

@@ -91,7 +91,7 @@ Scene square(double x0, double y0, double x1, double y1) {
 TEST(Footprint, OfASquareIsTheSquare) {
   const Footprint seen = footprintOf(packed(square(20.5, 30.5, 60.5, 50.5)));
   EXPECT_DOUBLE_EQ(seen.share({20, 30, 61, 51}), 1.0);
-  EXPECT_DOUBLE_EQ(seen.share({0, 0, 100, 100}), 0.0 + 41.0 * 21.0 / 1e4);
+  EXPECT_DOUBLE_EQ(seen.share({0, 0, 100, 100}), 41.0 * 21.0 / 1e4);
 }
 
 TEST(Footprint, OfWhatLiesBehindOrBesideIsEmpty) {
@@ -123,7 +123,7 @@ bool covers(const std::vector<Crop>& parts, const Footprint& seen, const Crop& a
     for (int x = area.x0; x < area.x1; ++x) {
       int times = 0;
       for (const Crop& p : parts) times += x >= p.x0 && x < p.x1 && y >= p.y0 && y < p.y1 ? 1 : 0;
-      if (times > 1 || (times == 0 && seen.share({x, y, x + 1, y + 1}) > 0.0)) return false;
+      if (times > 1 || (times == 0 && seen.meets({x, y, x + 1, y + 1}))) return false;
     }
   return true;
 }
@@ -144,7 +144,7 @@ TEST(FootprintParts, HoldAllThatIsSeenOnceForAnyCosts) {
     const auto parts = seen.parts(area, {each, static_cast<double>(random() % 5)});
     EXPECT_TRUE(covers(parts, seen, area)) << round;
     for (const Crop& p : parts) {
-      EXPECT_EQ((p.x0 - area.x0) % 8, 0);
+      EXPECT_EQ((p.x0 - area.x0) % static_cast<int>(shared::SLOT_COLUMNS), 0);
       EXPECT_TRUE(p.x0 < p.x1 && p.x1 <= area.x1 && p.y0 >= area.y0 && p.y1 <= area.y1) << round;
     }
   }
