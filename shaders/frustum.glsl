@@ -33,6 +33,11 @@ vec3 fromLane(vec3 v, uint from) {
   return vec3(subgroupShuffle(v.x, from), subgroupShuffle(v.y, from), subgroupShuffle(v.z, from));
 }
 
+// Slopes alone.
+Shear fromLane(Shear s, uint from) {
+  return Shear(0u, 0.0, subgroupShuffle(s.u, from), subgroupShuffle(s.v, from));
+}
+
 // All rays of one walk in permuted space (u, v, depth). At depth z >= 0 from `depth`, a ray stands
 // between window.xy + slopes.xy * z and window.zw + slopes.zw * z; hits lie from `first` to `last`.
 struct Frustum {
@@ -45,13 +50,12 @@ struct Frustum {
 
 // May what lies between two permuted corners hold a hit?
 bool meets(Frustum f, vec3 low, vec3 high) {
-  const float near = greater(low.z - f.depth, f.first), far = lesser(high.z - f.depth, f.last);
-  const float leastU = lesser(f.slopes.x * near, f.slopes.x * far);
-  const float leastV = lesser(f.slopes.y * near, f.slopes.y * far);
-  const float mostU = greater(f.slopes.z * near, f.slopes.z * far);
-  const float mostV = greater(f.slopes.w * near, f.slopes.w * far);
-  return near <= far && leastU <= high.x - f.window.x && leastV <= high.y - f.window.y &&
-         mostU >= low.x - f.window.z && mostV >= low.y - f.window.w;
+  precise float near = greater(low.z - f.depth, f.first), far = lesser(high.z - f.depth, f.last);
+  precise vec4 atNear = f.slopes * near, atFar = f.slopes * far;
+  precise vec2 above = high.xy - f.window.xy, below = low.xy - f.window.zw;
+  return near <= far && lesser(atNear.x, atFar.x) <= above.x &&
+         lesser(atNear.y, atFar.y) <= above.y && greater(atNear.z, atFar.z) >= below.x &&
+         greater(atNear.w, atFar.w) >= below.y;
 }
 
 // Takes the rays out of `waiting` that may walk with the first that waits: their slopes differ from

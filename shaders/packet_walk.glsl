@@ -1,12 +1,9 @@
-// One step of a packet's walk: a node's children, or a leaf's triangles, in the lanes. Nothing
-// branches: a lavapipe `if` runs both sides.
+// A packet's step to the next leaf, a node's children in the lanes, and its stack. Nothing branches: a
+// lavapipe `if` runs both sides.
 #ifndef LAVER_PACKET_WALK
 #define LAVER_PACKET_WALK
 #include "frustum.glsl"
 #include "resources.glsl"
-#ifdef LAVER_SPHERES
-#include "shared/sphere.h"
-#endif
 
 // One stack for the subgroup: entry i lies in lane i % 8, row i / 8. The host makes it large enough
 // for any walk.
@@ -14,15 +11,17 @@ const uint STACK_ROWS = (STACK + 7u) / 8u;
 uint stackRows[STACK_ROWS];
 int stackSize;
 
-// Takes the top off; REF_NONE off an empty stack.
-uint pop() {
-  stackSize--;
-  const uint top = uint(max(stackSize, 0));
+// REF_NONE below the foot.
+uint entry(int number) {
+  const uint i = uint(max(number, 0));
   uint row = stackRows[0];
-  [[unroll]] for (uint b = 1u; b < STACK_ROWS; ++b) row = top >= 8u * b ? stackRows[b] : row;
-  const uint ref = subgroupShuffle(row, top & 7u);
-  return stackSize < 0 ? REF_NONE : ref;
+  [[unroll]] for (uint b = 1u; b < STACK_ROWS; ++b) row = i >= 8u * b ? stackRows[b] : row;
+  const uint ref = subgroupShuffle(row, i & 7u);
+  return number < 0 ? REF_NONE : ref;
 }
+
+// Takes the top off.
+uint pop() { return entry(--stackSize); }
 
 // One step of a bitonic sort across lanes, ascending where `up`.
 uint exchange(uint key, uint distance, bool up) {
@@ -67,60 +66,6 @@ uint enterNode(Frustum f, uint node) {
   stackSize = count > 0 ? end + 1 : stackSize;
   const uint top = pop();
   return count > 0 ? subgroupShuffle(ref, 0u) : top;
-}
-
-// The triangle that this lane holds of a leaf, permuted, and its bounds.
-struct LeafTriangle {
-  vec3 a, b, c;
-  vec3 low, high;
-  uint id;
-#ifdef LAVER_SPHERES
-  float radius;  // of a sphere, whose centre is a; else 0
-#endif
-};
-
-// `mine`: which triangles of a leaf the rays of this lane, `own`, may meet; none for REF_NONE.
-LeafTriangle loadLeaf(Frustum f, Frustum own, uint ref, out uint slot, out uint mine) {
-  const bool none = ref == REF_NONE;
-  slot = none ? 0u : ref & REF_INDEX_MASK;
-  // Lanes beyond the leaf's end read what follows; the host pads the buffer.
-  const int texel = int((slot + lane()) * 3u);
-  const uvec4 a = texelFetch(triangleTexels, texel);
-  const uvec4 b = texelFetch(triangleTexels, texel + 1);
-  const uvec4 c = texelFetch(triangleTexels, texel + 2);
-  LeafTriangle t;
-  t.a = permute(f.axis, texelVec3(a));
-  t.b = permute(f.axis, texelVec3(b));
-  t.c = permute(f.axis, texelVec3(c));
-  t.id = a.w;
-  t.low = vec3(lesser(t.a.x, lesser(t.b.x, t.c.x)), lesser(t.a.y, lesser(t.b.y, t.c.y)),
-               lesser(t.a.z, lesser(t.b.z, t.c.z)));
-  t.high = vec3(greater(t.a.x, greater(t.b.x, t.c.x)), greater(t.a.y, greater(t.b.y, t.c.y)),
-                greater(t.a.z, greater(t.b.z, t.c.z)));
-#ifdef LAVER_SPHERES
-  t.radius = c.w == IS_SPHERE ? uintBitsToFloat(b.x) : 0.0;
-  if (t.radius > 0.0) {
-    t.low = t.a - t.radius * BALL_GROWTH;
-    t.high = t.a + t.radius * BALL_GROWTH;
-  }
-#endif
-  const bool hit = !none && lane() <= subgroupShuffle(b.w, 0u) && meets(f, t.low, t.high);
-  uint meeting = orOfLanes(hit ? 1u << lane() : 0u);
-  mine = 0u;
-  while (meeting != 0u) {
-    const uint from = uint(findLSB(meeting));
-    meeting &= meeting - 1u;
-    mine |= meets(own, fromLane(t.low, from), fromLane(t.high, from)) ? 1u << from : 0u;
-  }
-  return t;
-}
-
-// The next of this lane's triangles. A lane that has none left takes the last, of this leaf or of what
-// follows: a triangle that is met twice, or with no need, changes nothing.
-uint nextOf(inout uint mine) {
-  const uint from = uint(findLSB(mine)) & 7u;
-  mine &= mine - 1u;
-  return from;
 }
 
 #endif

@@ -10,7 +10,6 @@ namespace laver {
 namespace {
 
 using shared::NODE_WIDTH;
-constexpr std::uint32_t kLeaf = shared::REF_LEAF | shared::KIND_TRIANGLE << shared::REF_KIND_SHIFT;
 
 /// The next float downwards; finite numbers only.
 Float4 nextDown(Float4 x) {
@@ -176,7 +175,7 @@ class Flattener {
       child = std::bit_cast<shared::Child>(padded(boxes[c]));
       child.count = children.leaf[c] ? tree.count : 0;
       if (children.leaf[c]) {
-        child.ref = kLeaf | tree.first;
+        child.ref = shared::REF_LEAF | (tree.count - 1) << shared::REF_COUNT_SHIFT | tree.first;
         totals.add(leaf(tree));
       } else {
         child.ref = next;

@@ -96,12 +96,12 @@ LAVER_CONST float DROPPED = 1e6f;
 // Loop iterations that one invocation is given to do; lavapipe stops without a word at 65,535.
 LAVER_CONST uint MAX_ITERATIONS = 60000;
 
-// A child reference: REF_NONE, a node's index, or REF_LEAF | kind << REF_KIND_SHIFT | first slot.
+// A child reference: REF_NONE, a node's index, or of a leaf
+// REF_LEAF | (triangles - 1) << REF_COUNT_SHIFT | first slot.
 LAVER_CONST uint REF_NONE = 0xffffffffu;
 LAVER_CONST uint REF_LEAF = 0x80000000u;
-LAVER_CONST uint REF_KIND_SHIFT = 28;
+LAVER_CONST uint REF_COUNT_SHIFT = 28;
 LAVER_CONST uint REF_INDEX_MASK = 0x0fffffffu;
-LAVER_CONST uint KIND_TRIANGLE = 0;
 LAVER_CONST uint NODE_WIDTH = 8;
 LAVER_CONST uint MAX_LEAF = 8;  // triangles
 

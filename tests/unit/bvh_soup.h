@@ -48,7 +48,6 @@ class Walk {
              std::uint32_t entries) {
     if (ref == shared::REF_NONE) return;
     if (ref >= shared::REF_LEAF) {
-      EXPECT_EQ(ref >> shared::REF_KIND_SHIFT & 7U, shared::KIND_TRIANGLE);
       std::uint32_t slot = ref & shared::REF_INDEX_MASK, count = 0, more = 0;
       do {
         const shared::Triangle& t = bvh_.triangles.at(slot);
@@ -59,7 +58,7 @@ class Walk {
         ++slot;
         ++count;
       } while (more != 0);
-      EXPECT_LE(count, shared::MAX_LEAF);
+      EXPECT_EQ(count, (ref >> shared::REF_COUNT_SHIFT & 7U) + 1);
       if (!above.empty()) {
         EXPECT_EQ(count, above.back().count);
       }
