@@ -3,17 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
-#include <fstream>
 #include <map>
 
 #include "chart/chart.h"
 #include "chart/films.h"
+#include "chart/machine.h"
 #include "chart/measure.h"
 #include "chart/numbers.h"
 #include "chart/pictures.h"
 #include "core/error.h"
-#include "core/parallel.h"
 #include "image/io.h"
 
 namespace laver::chart {
@@ -21,24 +19,6 @@ namespace {
 
 /// Beyond so many samples a pixel the double-precision twin would take longer than all the rest.
 constexpr std::uint32_t kMostJudged = 64;
-
-std::string machine() {
-  std::ifstream in("/proc/cpuinfo");
-  std::string name = "an unknown processor";
-  for (std::string line; std::getline(in, line);)
-    if (line.rfind("model name", 0) == 0) {
-      name = line.substr(line.find(':') + 2);
-      break;
-    }
-  return fmt::format("{}, {} threads", name, threadCount(0));
-}
-
-std::string today() {
-  const std::time_t now = std::time(nullptr);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%d", std::gmtime(&now));
-  return text;
-}
 
 class Maker {
  public:

@@ -1,0 +1,75 @@
+#include "commands/checks.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <iostream>
+
+#include "image/atomic_file.h"
+
+namespace laver {
+namespace {
+
+void checkError(const RenderCommand& command) {
+  if (command.options.error == 0.0) return;
+  if (command.reference)
+    throw Error(ExitCode::Usage, "--error: the reference takes as many samples as the scene says");
+  if (command.resume)
+    throw Error(ExitCode::Usage,
+                "--error: an adaptive render begins anew; --resume goes on only "
+                "where every pixel gets as many samples");
+}
+
+/// Channels beside the picture's own three.
+std::size_t layerChannels(const RenderOptions& options) {
+  std::size_t count = centreChannels(options.layers).size();
+  for (const Shown& shown : shownBeside(options.more, options.layers))
+    count += shown.channels.size();
+  return count + (asks(options.layers, Layer::Samples) ? 1 : 0);
+}
+
+/// The picture and its files are made in memory; measured at 16384 x 16384: 20 bytes a pixel. Sums
+/// that are kept are 32 more, and their file as many again.
+void checkMemory(const RenderCommand& command, const Camera& camera) {
+  const Crop film = command.options.crop.value_or(Crop{0, 0, camera.width, camera.height});
+  // A layer's: 4 bytes a channel, once more while layers are put together, and the file's.
+  const std::uint64_t bytes = (command.resume ? 88 : 24) + 12 * layerChannels(command.options) +
+                              (command.displayServer ? 12 : 0) +
+                              (command.gui ? 12 + 4 * layerChannels(command.options) : 0);
+  const std::uint64_t needed = bytes * static_cast<std::uint64_t>(film.x1 - film.x0) *
+                               static_cast<std::uint64_t>(film.y1 - film.y0);
+  const std::uint64_t there = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
+                              static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+  if (needed > there)
+    throw Error(ExitCode::Device,
+                fmt::format("a film of {}x{} pixels needs {} MiB of memory, the machine has {}",
+                            film.x1 - film.x0, film.y1 - film.y0, needed >> 20, there >> 20));
+}
+
+}  // namespace
+
+void checkRender(const RenderCommand& command, const Camera& camera) {
+  checkError(command);
+  checkMemory(command, camera);
+}
+
+void warnOfMissingUvs(const RenderOptions& options, const Scene& scene) {
+  if (!asks(options.layers, Layer::Uv)) return;
+  for (const Mesh& mesh : scene.meshes)
+    if (mesh.uvs.empty() && !mesh.sphere)
+      std::cerr << fmt::format(
+          "laver: warning: \"{}\" has no texture coordinates; layer uv is 0 there\n", mesh.name);
+}
+
+std::filesystem::path outputOf(const RenderCommand& command) {
+  std::filesystem::path exr = command.output;
+  if (exr.empty()) exr = std::filesystem::path(command.scene).replace_extension(".exr");
+  if (exr.extension() != ".exr")
+    throw Error(ExitCode::Usage,
+                fmt::format("-o {}: expected a name that ends in .exr", exr.string()));
+  checkReplaceable(exr.string());
+  checkReplaceable(std::filesystem::path(exr).replace_extension(".png").string());
+  return exr;
+}
+
+}  // namespace laver
