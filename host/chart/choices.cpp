@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace laver::chart {
 namespace {
 
@@ -81,6 +83,17 @@ std::vector<Choice> choicesFor(const Scene& scene, const std::vector<Program>& p
         addSeries({program.name, sampler.name, filter.kind, "", false}, mostSamples, choices);
   }
   return choices;
+}
+
+std::vector<std::vector<std::size_t>> sameButForProgram(const std::vector<Choice>& choices) {
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    const auto found = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
+      return choices[group[0]].arguments() == choices[i].arguments();
+    });
+    (found == groups.end() ? groups.emplace_back() : *found).push_back(i);
+  }
+  return groups;
 }
 
 }  // namespace laver::chart

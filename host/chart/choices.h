@@ -41,6 +41,9 @@ std::vector<Choice> choicesFor(const Scene& scene, const std::vector<Program>& p
                                const std::vector<std::string>& traversals,
                                std::uint32_t mostSamples);
 
+/// Numbers of the choices that differ by the program alone, side by side.
+std::vector<std::vector<std::size_t>> sameButForProgram(const std::vector<Choice>& choices);
+
 /// The filters of all series, the scene's own first.
 std::vector<Filter> filtersFor(const Scene& scene);
 

@@ -33,7 +33,7 @@ class Maker {
     const auto choices = choicesFor(scene_, options_.programs, otherTraversals_, options_.samples);
     plan(choices);
     makeTruths();
-    for (const Choice& choice : choices) addPoint(choice);
+    addPoints(choices);
     addPeers();
     judge(choices);
     addFloor();
@@ -107,9 +107,19 @@ class Maker {
     return i;
   }
 
-  void addPoint(const Choice& choice) {
-    const Measured measured = measurer_.measure(choice);
-    Point point;
+  void addPoints(const std::vector<Choice>& choices) {
+    chart_.points.resize(choices.size());
+    images_.resize(choices.size());
+    for (const auto& group : sameButForProgram(choices)) {
+      std::vector<Choice> members;
+      for (const std::size_t i : group) members.push_back(choices[i]);
+      measurer_.measureInTurns(members);
+      for (const std::size_t i : group) setPoint(choices[i], chart_.points[i], images_[i]);
+    }
+  }
+
+  void setPoint(const Choice& choice, Point& point, Image& image) {
+    const Measured measured = measurer_.measured(choice);
     point.series = nameOf(choice.series);
     point.filter = choice.series.filter;
     point.program = choice.series.program;
@@ -122,12 +132,12 @@ class Maker {
                     fmt::join(choice.arguments(), " "));
     point.passSeconds = measured.passSeconds;
     point.processSeconds = measured.processSeconds;
-    addErrors(images_.emplace_back(measured.image), point);
+    image = measured.image;
+    addErrors(image, point);
     if (options_.say)
       options_.say(fmt::format("{}, {:g} samples: {:.1f} ms, RMSE {:.3g}", point.series,
                                point.samples, quantile(point.passSeconds, 0.5) * 1e3,
                                point.errors.rmse));
-    chart_.points.push_back(std::move(point));
     finish(costOf(choice));
   }
 

@@ -48,39 +48,43 @@ Run Measurer::runOnce(const std::string& program, const std::vector<std::string>
   return std::move(*run);
 }
 
-nlohmann::json Measurer::renders(const Choice& choice) const {
+void Measurer::addRun(const Choice& choice, bool counts, nlohmann::json& record) const {
   auto arguments = commonArguments();
   for (const std::string& argument : choice.arguments()) arguments.push_back(argument);
-  std::vector<double> pass, process;
-  double samples = 0;
-  for (std::size_t i = 0; i <= options_.runs; ++i) {
-    const Run run = runOnce(choice.series.program, arguments);
-    samples = (run.stats.value("/samples/total"_json_pointer, 0.0) +
-               run.stats.value("/adaptive/pilotSamples"_json_pointer, 0.0)) /
-              options_.size.x / options_.size.y;
-    if (i == 0) continue;  // warms caches up
-    const auto& seconds = run.stats["seconds"];
-    pass.push_back(seconds.value("trace", 0.0) + seconds.value("reconstruct", 0.0));
-    process.push_back(run.seconds);
-  }
-  const Image image = rgbOf(runner_.picture(), "the picture of " + choice.series.program);
-  if (image.width != options_.size.x || image.height != options_.size.y)
-    throw Error(ExitCode::Output, choice.series.program + " left a picture of another size");
-  const auto* bytes = reinterpret_cast<const std::uint8_t*>(image.pixels.data());
-  return {{"pass", pass},
-          {"process", process},
-          {"samples", samples},
-          {"pixels", nlohmann::json::binary(std::vector<std::uint8_t>(
-                         bytes, bytes + image.pixels.size() * sizeof(float)))}};
+  const Run run = runOnce(choice.series.program, arguments);
+  if (!counts) return;
+  record["samples"] = (run.stats.value("/samples/total"_json_pointer, 0.0) +
+                       run.stats.value("/adaptive/pilotSamples"_json_pointer, 0.0)) /
+                      options_.size.x / options_.size.y;
+  const auto& seconds = run.stats["seconds"];
+  record["pass"].push_back(seconds.value("trace", 0.0) + seconds.value("reconstruct", 0.0));
+  record["process"].push_back(run.seconds);
 }
 
-Measured Measurer::measure(const Choice& choice) const {
-  const std::string key = keyOf(choice);
-  auto found = kept_.read(key);
-  if (!found) {
-    found = renders(choice);
-    kept_.write(key, *found);
-  }
+nlohmann::json Measurer::pixels(const std::string& program) const {
+  const Image image = rgbOf(runner_.picture(), "the picture of " + program);
+  if (image.width != options_.size.x || image.height != options_.size.y)
+    throw Error(ExitCode::Output, program + " left a picture of another size");
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(image.pixels.data());
+  return nlohmann::json::binary(
+      std::vector<std::uint8_t>(bytes, bytes + image.pixels.size() * sizeof(float)));
+}
+
+void Measurer::measureInTurns(std::vector<Choice> choices) const {
+  std::erase_if(choices,
+                [&](const Choice& choice) { return kept_.read(keyOf(choice)).has_value(); });
+  std::vector<nlohmann::json> records(choices.size());
+  for (std::size_t run = 0; run <= options_.runs; ++run)
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+      addRun(choices[i], run > 0, records[i]);  // the first warms caches up
+      if (run == options_.runs) records[i]["pixels"] = pixels(choices[i].series.program);
+    }
+  for (std::size_t i = 0; i < choices.size(); ++i) kept_.write(keyOf(choices[i]), records[i]);
+}
+
+Measured Measurer::measured(const Choice& choice) const {
+  const auto found = kept_.read(keyOf(choice));
+  if (!found) throw Error(ExitCode::Output, "what was measured is not kept");
   Measured measured{found->at("pass"), found->at("process"), found->at("samples"),
                     rgbImage(options_.size.x, options_.size.y)};
   const auto& bytes = found->at("pixels").get_binary();

@@ -39,14 +39,20 @@ class Measurer {
   /// One render. Throws Error and Stopped.
   Run runOnce(const std::string& program, const std::vector<std::string>& arguments) const;
 
-  /// options.runs renders after one that warms caches up, if none are kept.
-  Measured measure(const Choice& choice) const;
+  /// Keeps options.runs renders, after one that warms caches up, of each of which none are kept: in
+  /// turns, so that whatever else the machine does falls on all alike.
+  void measureInTurns(std::vector<Choice> choices) const;
+
+  /// What measureInTurns kept. Throws Error(Output) where it is not there.
+  Measured measured(const Choice& choice) const;
 
  private:
   struct Started {
     std::string file, fingerprint;
   };
-  nlohmann::json renders(const Choice& choice) const;
+  void addRun(const Choice& choice, bool counts, nlohmann::json& record) const;
+  /// Those of the latest picture.
+  nlohmann::json pixels(const std::string& program) const;
 
   const Options& options_;
   const Kept& kept_;

@@ -6,8 +6,8 @@
 // What can be checked before a long render, so that nothing is rendered for nothing.
 namespace laver {
 
-/// Throws Error(Usage) for options that do not go together, Error(Device) for a film too large for the
-/// machine's memory.
+/// Throws Error(Usage) for options that do not go together, Error(Device) for a film too large for
+/// the machine's memory.
 void checkRender(const RenderCommand& command, const Camera& camera);
 
 /// Says so on standard error where a layer of texture coordinates is asked for and a mesh has none.

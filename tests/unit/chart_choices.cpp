@@ -49,6 +49,29 @@ TEST(ChartChoices, EverySamplerMeetsEveryFilterOnce) {
   EXPECT_EQ(series.size(), 4U * 6U + 3U);
 }
 
+TEST(ChartChoices, EachProgramsRenderOfAPictureIsMeasuredBesideLavers) {
+  Scene scene;
+  scene.filter = *filterFromName("mitchell");
+  const auto choices = choicesFor(scene, {{"embree", "file"}, {"old", "file"}}, {"lane"}, 64);
+  std::set<std::size_t> seen;
+  std::size_t together = 0;
+  for (const auto& group : sameButForProgram(choices)) {
+    std::set<std::string> programs;
+    for (const std::size_t i : group) {
+      EXPECT_TRUE(seen.insert(i).second);
+      EXPECT_EQ(choices[i].arguments(), choices[group[0]].arguments());
+      EXPECT_TRUE(programs.insert(choices[i].series.program).second);
+    }
+    // Adaptive renders and those of another traversal are laver's alone.
+    const Choice& first = choices[group[0]];
+    const bool alone = first.series.adaptive || !first.series.traversal.empty();
+    EXPECT_EQ(programs.size(), alone ? 1U : 3U) << nameOf(first.series);
+    together += alone ? 0U : 1U;
+  }
+  EXPECT_EQ(seen.size(), choices.size());
+  EXPECT_EQ(together, 4U * 3U * 4U);  // filters, samplers, counts of samples
+}
+
 TEST(ChartChoices, TheScenesOwnFilterComesFirstAndKeepsItsNumbers) {
   Scene scene;
   scene.filter = {Filter::Kind::Gaussian, 3.0, 0.7, 0.0, 0.0};
