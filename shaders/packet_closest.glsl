@@ -109,39 +109,21 @@ Hits closest(Rays rays) {
           do {
             const bool has = next < end;
             const uint by = next & 7u;
-            const uint found = has ? subgroupShuffle(met, by) : 0u;
+            const uint found = subgroupShuffle(met, by);
             const uint hitSlot = subgroupShuffle(t.slot, by), id = subgroupShuffle(t.id, by);
             FOR_RAYS (uint r = 0u; r < R; ++r)
-              keepNearer((found >> r & 1u) != 0u, subgroupShuffle(depths[r], by), hitSlot, id,
+              keepNearer(has && (found >> r & 1u) != 0u, subgroupShuffle(depths[r], by), hitSlot, id,
                          last[r], best[r], bestId[r]);
             next += has ? 1u : 0u;
           } while (orOfLanes(next < end ? 1u : 0u) != 0u);
         } while (done < pairs.total);
 #else
         do {
-          const uint from = nextOf(mine);
-          const vec3 a = fromLane(leaf.a, from) - origin;
-          const vec3 b = fromLane(leaf.b, from) - origin;
-          const vec3 c = fromLane(leaf.c, from) - origin;
-          const uint id = subgroupShuffle(leaf.id, from);
-#ifdef LAVER_SPHERES
-          const float radius = subgroupShuffle(leaf.radius, from);
-          const vec2 ends = endsOf(subgroupShuffle(leaf.a.z, from), radius, origin.z);
-#endif
+          const Target t = targetOf(leaf, nextOf(mine), origin);
           FOR_RAYS (uint r = 0u; r < R; ++r) {
-            Edges e = edgesOf(shears[r], a, b, c);
-            float depth = depthOf(e, a.z, b.z, c.z);
-#ifdef LAVER_SPHERES
-            const Chord chord = chordOf(shears[r], a, ends, radius);
-            depth = radius > 0.0 ? depthOn(chord, first[r]) : depth;
-            e.inside = radius > 0.0 ? chord.met : e.inside;
-#endif
-            // Equal depths: the smaller id, that is file order.
-            const bool nearer = e.inside && depth >= first[r] &&
-                                (depth < last[r] || (depth == last[r] && id < bestId[r]));
-            last[r] = nearer ? depth : last[r];
-            best[r] = nearer ? subgroupShuffle(leaf.slot, from) : best[r];
-            bestId[r] = nearer ? id : bestId[r];
+            float depth;
+            const bool met = meetsAt(t, shears[r], first[r], depth);
+            keepNearer(met, depth, t.slot, t.id, last[r], best[r], bestId[r]);
           }
         } while (orOfLanes(mine) != 0u);
 #endif

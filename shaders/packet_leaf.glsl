@@ -1,6 +1,6 @@
-// A leaf's triangles, one a lane, and which of them the rays of a lane may meet. A packet of 32 is for
-// meshes so fine that a leaf has few triangles for each lane's rays: it takes two leaves at once where
-// they fit, and shares the tests out by packet_pairs.glsl.
+// A leaf's triangles, one a lane, and which of them the rays of a lane may meet. Packets of 32, which
+// trace meshes so fine that a leaf has few triangles for each lane's rays, take two leaves at once where
+// they fit, and share the tests out by packet_pairs.glsl.
 #ifndef LAVER_PACKET_LEAF
 #define LAVER_PACKET_LEAF
 #include "packet_walk.glsl"
@@ -23,7 +23,8 @@ uint trianglesOf(uint ref) {
 }
 
 // Sets in `slot` where this lane's triangle lies. Lanes beyond the end read what follows; the host pads
-// the buffer. Returns how many triangles there are, none for REF_NONE.
+// the buffer. Packets of 32 take the next leaf off the stack too, where 8 lanes hold both. Returns how
+// many triangles there are, none for REF_NONE.
 uint takeLeaf(uint ref, out uint slot) {
   const uint count = trianglesOf(ref);
   slot = (count == 0u ? 0u : ref & REF_INDEX_MASK) + lane();

@@ -32,7 +32,7 @@ Pairs pairsOf(uint mine) {
 
 // Pair `number` as 8 * lane + triangle: the place of a set bit, found by halves of what is left
 // (Vigna, "Broadword Implementation of Rank/Select Queries", WEA 2008, finds the byte in the same way).
-// Beyond the last any place of these 64.
+// Beyond the last any place of these 64: a triangle that is tested with no need changes nothing.
 uint pairAt(Pairs p, uint number) {
   const uint fourth = number >= p.firstFour ? 4u : 0u;
   number -= fourth == 0u ? 0u : p.firstFour;

@@ -127,26 +127,9 @@ void visible(vec3 light, vec3 points[R], bool live[R], out bool seen[R]) {
         open &= ~(orOfLanes(blocked) >> (R * lane()));
 #else
         do {
-          const uint lender = nextOf(mine);
-          const vec3 way = vec3(1.0, 1.0, turn);
-          const vec3 a = fromLane(leaf.a, lender) * way;
-          const vec3 b = fromLane(leaf.b, lender) * way;
-          const vec3 c = fromLane(leaf.c, lender) * way;
-          const vec3 n = crossProduct(b - a, c - a);
-          const float lightSide = dotProduct(n, lamp - a);
-#ifdef LAVER_SPHERES
-          const float radius = subgroupShuffle(leaf.radius, lender);
-#endif
-          FOR_RAYS (uint r = 0u; r < R; ++r) {
-            bool blocked = blocks(shears[r], last[r], n, lightSide, a - from[r],
-                                  b - from[r], c - from[r]);
-#ifdef LAVER_SPHERES
-            const bool byBall = ballBlocks(shears[r], last[r], a - from[r], lamp - a,
-                                           endsOf(a.z, radius, from[r].z), radius);
-            blocked = radius > 0.0 ? byBall : blocked;
-#endif
-            open &= blocked ? ~(1u << r) : ~0u;
-          }
+          const Blocker t = blockerOf(leaf, nextOf(mine), lamp, turn);
+          FOR_RAYS (uint r = 0u; r < R; ++r)
+            open &= hides(t, shears[r], from[r], last[r], lamp) ? ~(1u << r) : ~0u;
         } while (orOfLanes(mine) != 0u);
 #endif
         own.last = (group & open) == 0u ? NEVER : own.last;

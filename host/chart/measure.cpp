@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "chart/fingerprint.h"
@@ -70,9 +71,10 @@ nlohmann::json Measurer::pixels(const std::string& program) const {
       std::vector<std::uint8_t>(bytes, bytes + image.pixels.size() * sizeof(float)));
 }
 
-void Measurer::measureInTurns(std::vector<Choice> choices) const {
-  std::erase_if(choices,
-                [&](const Choice& choice) { return kept_.read(keyOf(choice)).has_value(); });
+void Measurer::measureInTurns(const std::vector<Choice>& choices) const {
+  if (std::all_of(choices.begin(), choices.end(),
+                  [&](const Choice& choice) { return kept_.read(keyOf(choice)).has_value(); }))
+    return;
   std::vector<nlohmann::json> records(choices.size());
   for (std::size_t run = 0; run <= options_.runs; ++run)
     for (std::size_t i = 0; i < choices.size(); ++i) {

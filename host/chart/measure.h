@@ -39,9 +39,10 @@ class Measurer {
   /// One render. Throws Error and Stopped.
   Run runOnce(const std::string& program, const std::vector<std::string>& arguments) const;
 
-  /// Keeps options.runs renders, after one that warms caches up, of each of which none are kept: in
-  /// turns, so that whatever else the machine does falls on all alike.
-  void measureInTurns(std::vector<Choice> choices) const;
+  /// Renders each options.runs times after a time that warms caches up, and keeps what that gave:
+  /// in turns, so that whatever else the machine does falls on all alike, and all anew where one is
+  /// not kept. Throws Error and Stopped.
+  void measureInTurns(const std::vector<Choice>& choices) const;
 
   /// What measureInTurns kept. Throws Error(Output) where it is not there.
   Measured measured(const Choice& choice) const;

@@ -11,17 +11,17 @@ namespace laver {
 std::string bestTraversal(const DeviceInfo& device);
 
 /// A packet walks through all that its rays see: the more triangles there are to a ray, the fewer
-/// rays should share a walk. More than 16 samples of a pixel share no more. Bunnies of 69,666 and
-/// 1.1 million triangles, traced by packets of 64 and of 32 rays, in times of rays by themselves:
-/// 0.31 and 0.33 at 0.12 triangles to a ray, 0.42 and 0.42 at 0.27, 0.78 and 0.66 at 1.1, 1.02 and
-/// 0.82 at 1.9, 1.2 to 1.7 and 1.0 to 1.2 at 2.7.
+/// rays should share a walk. More than 16 samples of a pixel share no more. A bunny of 69,666
+/// triangles, traced by packets of 64 and of 32 rays, in times of rays by themselves: 0.29 and 0.30
+/// at 0.12 triangles to a ray, 0.39 and 0.39 at 0.27, 0.76 and 0.54 at 1.1, 1.2 and 0.67 at 1.9,
+/// 1.4 and 0.88 at 2.7, where rays are few and their own kernel is sooner compiled.
 double trianglesARay(const Scene& scene);
 
 /// Of packets of 32 and of 64 rays those that trace a scene sooner, compiling left out.
 std::string fasterPackets(const Scene& scene);
 
 /// From so many camera rays on, packets of 64 rays save more than their kernel takes longer to
-/// compile: 3 to 10 ns a ray, and 20 to 45 ms.
+/// compile: 5 to 12 ns a ray, and 20 to 60 ms. At 2.1 to 2.4 million whole processes take as long.
 inline constexpr std::uint64_t kManyRays = std::uint64_t{1} << 22;
 
 struct Chosen {
