@@ -64,8 +64,8 @@ uint enterNode(Frustum f, uint node) {
     stackRows[b] = entry >= stackSize && entry < end ? pushed : stackRows[b];
   }
   stackSize = count > 0 ? end + 1 : stackSize;
-  const uint top = pop();
-  return count > 0 ? subgroupShuffle(ref, 0u) : top;
+  const uint top = pop(), nearest = subgroupShuffle(ref, 0u);
+  return count > 0 ? nearest : top;
 }
 
 #endif

@@ -92,6 +92,19 @@ TEST(SpirvLint, FindsEachKindOfFault) {
   EXPECT_TRUE(lint(countOf(passed), true).empty());
   EXPECT_EQ(lint(countOf(passed + "%s = OpIAdd %l %x %x\n"), true).size(), 1U);
   EXPECT_EQ(lint(countOf(passed + "%s = OpShiftLeftLogical %v %z %z\n"), true).size(), 1U);
+  const std::string chosen =
+      "OpSelectionMerge %m None\nOpBranchConditional %c %t %m\n%t = OpLabel\n";
+  const std::string shuffle = "%u = OpGroupNonUniformShuffle %f %s %9 %i\n";
+  const std::string after = "OpBranch %m\n%m = OpLabel\n";
+  EXPECT_TRUE(lint(countOf(good + shuffle)).empty());
+  EXPECT_TRUE(lint(countOf(good + chosen + after + shuffle)).empty());
+  EXPECT_TRUE(
+      lint(countOf("%c = OpSpecConstantTrue %b\n" + good + chosen + shuffle + after)).empty());
+  EXPECT_EQ(lint(countOf(good + chosen + shuffle + after)).size(), 1U);
+  const std::string called = good + chosen + "%v = OpFunctionCall %f %5 %9\n" + after;
+  const std::string callee = "OpName %5 \"lent(f1;\"\n%5 = OpFunction %f None %t\n";
+  EXPECT_TRUE(lint(countOf(called + callee)).empty());
+  EXPECT_EQ(lint(countOf(called + callee + shuffle)).size(), 1U);
   EXPECT_EQ(lint(countOf(good + "%2 = OpFunction %f None %t\n%3 = OpFMul %f %a %b\n")).size(), 1U);
 }
 

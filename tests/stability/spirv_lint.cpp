@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 #include <sstream>
 
@@ -77,6 +78,55 @@ bool isIntegerArithmetic(const std::string& op) {
   return false;
 }
 
+/// Functions that hold group operations or call such, and where that may be without some lanes.
+class Divergence {
+ public:
+  void read(const std::string& line) {
+    std::istringstream words(line);
+    std::string first, second, operation, type, callee;
+    words >> first >> second >> operation >> type >> callee;
+    if (first == "OpSelectionMerge") merge_ = second;
+    if (first == "OpBranchConditional") {
+      if (!merge_.empty() && constants_.count(second) == 0) arms_.push_back(merge_);
+      merge_.clear();
+    }
+    if (startsWith(operation, "OpSpecConstant") || startsWith(operation, "OpConstant"))
+      constants_.insert(first);
+    if (operation == "OpFunction") function_ = first;
+    if (operation == "OpLabel") {
+      const auto end = std::find(arms_.begin(), arms_.end(), first);
+      arms_.erase(end, arms_.end());
+    }
+    if (startsWith(operation, "OpGroupNonUniform"))
+      calls_.push_back({function_, "", !arms_.empty()});
+    if (operation == "OpFunctionCall") calls_.push_back({function_, callee, !arms_.empty()});
+  }
+
+  /// Functions, once for each such place.
+  std::vector<std::string> places() const {
+    std::set<std::string> groups{""};  // that which a group operation "calls"
+    for (std::size_t known = 0; known != groups.size();) {
+      known = groups.size();
+      for (const Call& call : calls_)
+        if (groups.count(call.callee) != 0) groups.insert(call.caller);
+    }
+    std::vector<std::string> places;
+    for (const Call& call : calls_)
+      if (call.inArm && groups.count(call.callee) != 0) places.push_back(call.caller);
+    return places;
+  }
+
+ private:
+  struct Call {
+    std::string caller, callee;
+    bool inArm;
+  };
+  std::set<std::string> constants_;
+  std::vector<std::string> arms_;  // labels where those end that are open
+  std::vector<Call> calls_;
+  std::string function_, merge_;
+};
+
 }  // namespace
 
 KernelCounts countOf(const std::string& disassembly) {
@@ -84,11 +134,13 @@ KernelCounts countOf(const std::string& disassembly) {
   std::map<std::string, std::string> names;
   std::set<std::string> decorated, longs;
   FunctionCounts* current = nullptr;
+  Divergence divergence;
   std::istringstream lines(disassembly);
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
     std::string first, second, third;
     words >> first >> second;
+    divergence.read(line);
     if (first == "OpName") {
       std::string quoted;
       words >> quoted;
@@ -124,6 +176,8 @@ KernelCounts countOf(const std::string& disassembly) {
       }
     }
   }
+  for (const std::string& function : divergence.places())
+    ++kernel.functions[names[function]].divergent;
   return kernel;
 }
 
@@ -145,6 +199,9 @@ std::vector<std::string> lint(const KernelCounts& kernel, bool packet) {
     if (counts.nanSensitive != 0 && kMayCompare.count(name) == 0)
       faults.push_back(fmt::format("{}: {} of FMin, FMax, FClamp without a stated reason", name,
                                    counts.nanSensitive));
+    if (counts.divergent != 0)
+      faults.push_back(fmt::format("{}: {} group operations where lanes may be missing", name,
+                                   counts.divergent));
     // Debug information gone, nothing could be found.
     if (name.empty() || startsWith(name, "%")) faults.emplace_back("a function without a name");
   }

@@ -10,6 +10,8 @@ struct FunctionCounts {
   int arithmetic = 0;    ///< float +, -, *, /, negation, dot: what a driver may contract
   int decorated = 0;     ///< of these, with NoContraction
   int nanSensitive = 0;  ///< FMin, FMax, FClamp: undefined where an operand is NaN
+  int divergent = 0;  ///< group operations, also by calls, in an arm of an `if` or of a `?:` that
+                      ///< no constant decides: lanes may be missing
 };
 
 /// What a lint wants to know of a kernel.
