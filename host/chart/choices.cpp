@@ -58,6 +58,11 @@ std::vector<std::string> Choice::arguments() const {
   return list;
 }
 
+std::vector<std::string> traversalsBeside(const std::string& unasked) {
+  if (unasked == "lane") return {};  // perhaps all that the device has
+  return {"lane", unasked == "packet64" ? "packet32" : "packet64"};
+}
+
 std::vector<Filter> filtersFor(const Scene& scene) {
   std::vector<Filter> filters{scene.filter};
   for (const Filter::Kind kind : kFilters)

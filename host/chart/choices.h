@@ -35,11 +35,14 @@ struct Program {
 };
 
 /// The combinations that make sense for a scene: every sampler with every filter; with the
-/// scene's own filter adaptively too, and by the traversal that the device would not take; each of
-/// `programs` with every sampler and filter. `mostSamples` bounds the samples a pixel.
+/// scene's own filter adaptively too, and by each of `traversals`; each of `programs` with every
+/// sampler and filter. `mostSamples` bounds the samples a pixel.
 std::vector<Choice> choicesFor(const Scene& scene, const std::vector<Program>& programs,
                                const std::vector<std::string>& traversals,
                                std::uint32_t mostSamples);
+
+/// The traversals of a device that one sample a pixel, unasked, does not take.
+std::vector<std::string> traversalsBeside(const std::string& unasked);
 
 /// Numbers of the choices that differ by the program alone, side by side.
 std::vector<std::vector<std::size_t>> sameButForProgram(const std::vector<Choice>& choices);

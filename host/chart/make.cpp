@@ -57,7 +57,7 @@ class Maker {
     const Run run = measurer_.runOnce("laver", arguments);
     chart_.device = run.stats.value("device", "");
     chart_.driver = run.stats.value("driver", "");
-    if (run.stats.value("traversal", "") != "lane") otherTraversals_ = {"lane"};
+    otherTraversals_ = traversalsBeside(run.stats.value("traversal", ""));
     chart_.scene = options_.scene;
     chart_.machine = machine();
     chart_.date = today();

@@ -20,7 +20,7 @@ bool has(const std::vector<std::string>& list, const std::string& option,
 TEST(ChartChoices, EverySamplerMeetsEveryFilterOnce) {
   Scene scene;
   scene.filter = *filterFromName("mitchell");
-  const auto choices = choicesFor(scene, {{"embree", "file"}}, {"lane"}, 64);
+  const auto choices = choicesFor(scene, {{"embree", "file"}}, {"lane", "packet64"}, 64);
   std::set<std::tuple<std::string, std::uint32_t, double>> seen;
   std::set<std::string> series;
   for (const Choice& choice : choices) {
@@ -34,19 +34,28 @@ TEST(ChartChoices, EverySamplerMeetsEveryFilterOnce) {
     const auto most = choice.series.adaptive ? choice.most : choice.samples;
     EXPECT_TRUE(has(arguments, "--spp", std::to_string(most)));
     EXPECT_EQ(has(arguments, "--error", fmt::format("{}", choice.error)), choice.series.adaptive);
-    EXPECT_EQ(has(arguments, "--traversal", "lane"), choice.series.traversal == "lane");
+    for (const char* traversal : {"lane", "packet64"})
+      EXPECT_EQ(has(arguments, "--traversal", traversal), choice.series.traversal == traversal);
   }
   for (const char* filter : {"box", "tent", "gaussian", "mitchell"}) {
     for (const char* sampler : {"independent", "stratified", "sobol"})
       for (const char* program : {"", "embree, "})
         EXPECT_TRUE(series.count(std::string(program) + sampler + ", " + filter));
   }
-  // Adaptively, and by the other traversal, with the scene's own filter alone.
+  // Adaptively, and by other traversals, with the scene's own filter alone.
   EXPECT_TRUE(series.count("independent adaptive, mitchell"));
   EXPECT_TRUE(series.count("sobol adaptive, mitchell"));
   EXPECT_TRUE(series.count("independent, mitchell, lane"));
+  EXPECT_TRUE(series.count("independent, mitchell, packet64"));
   EXPECT_FALSE(series.count("independent, box, lane"));
-  EXPECT_EQ(series.size(), 4U * 6U + 3U);
+  EXPECT_EQ(series.size(), 4U * 6U + 4U);
+}
+
+TEST(ChartChoices, TheTraversalTakenUnaskedIsNotChartedTwice) {
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(traversalsBeside("packet32"), (Names{"lane", "packet64"}));
+  EXPECT_EQ(traversalsBeside("packet64"), (Names{"lane", "packet32"}));
+  EXPECT_EQ(traversalsBeside("lane"), Names{});
 }
 
 TEST(ChartChoices, EachProgramsRenderOfAPictureIsMeasuredBesideLavers) {
