@@ -112,6 +112,7 @@ class Maker {
     images_.resize(choices.size());
     for (const auto& group : sameButForProgram(choices)) {
       std::vector<Choice> members;
+      members.reserve(group.size());
       for (const std::size_t i : group) members.push_back(choices[i]);
       measurer_.measureInTurns(members);
       for (const std::size_t i : group) setPoint(choices[i], chart_.points[i], images_[i]);

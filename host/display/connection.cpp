@@ -97,7 +97,7 @@ Connection::~Connection() {
 }
 
 void Connection::send(std::span<const std::byte> bytes, const Patience& patience,
-                      const std::function<void()>& progress) {
+                      const std::function<void()>& progress) const {
   while (!bytes.empty()) {
     const ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
     if (sent >= 0) {

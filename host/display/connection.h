@@ -29,7 +29,7 @@ class Connection {
 
   /// Sends all, and calls `progress` whenever some went. Throws std::runtime_error with the reason.
   void send(std::span<const std::byte> bytes, const Patience& patience,
-            const std::function<void()>& progress);
+            const std::function<void()>& progress) const;
 
  private:
   int socket_ = -1;

@@ -16,8 +16,9 @@ std::uint32_t sideOf(const Scene& scene) {
 }
 
 glm::dvec3 normalOf(std::uint32_t number, std::uint32_t side) {
-  const double azimuth = (number / side + 0.5) / side * 0.5 * std::numbers::pi;
-  const double z = (number % side + 0.5) / side;
+  const std::uint32_t i = number / side, j = number % side;
+  const double azimuth = (i + 0.5) / side * 0.5 * std::numbers::pi;
+  const double z = (j + 0.5) / side;
   const double r = std::sqrt(1.0 - z * z);
   return {r * std::cos(azimuth), r * std::sin(azimuth), z};
 }

@@ -14,7 +14,8 @@ using LongVec = glm::vec<3, long double, glm::defaultp>;
 // The two t of the line's crossings in order; none if it passes by.
 std::optional<std::pair<long double, long double>> crossings(const Ball& ball, const Ray& ray) {
   const LongVec d(ray.direction), f = LongVec(ray.origin) - LongVec(ball.centre);
-  const long double a = glm::dot(d, d), b = -glm::dot(f, d), r = ball.radius;
+  const long double a = glm::dot(d, d), b = -glm::dot(f, d);
+  const auto r = static_cast<long double>(ball.radius);
   const LongVec nearest = f + b / a * d;
   const long double rest = r * r - glm::dot(nearest, nearest);
   if (!(rest >= 0.0L)) return {};
@@ -30,8 +31,9 @@ std::optional<std::pair<long double, long double>> crossings(const Ball& ball, c
 std::optional<BallHit> closest(const Ball& ball, const Ray& ray, double tmin, double tmax) {
   const auto both = crossings(ball, ray);
   if (!both) return {};
-  const long double t = both->first >= tmin ? both->first : both->second;
-  if (!(t >= tmin && t <= tmax)) return {};
+  const auto from = static_cast<long double>(tmin), to = static_cast<long double>(tmax);
+  const long double t = both->first >= from ? both->first : both->second;
+  if (!(t >= from && t <= to)) return {};
   const LongVec p = LongVec(ray.origin) - LongVec(ball.centre) + t * LongVec(ray.direction);
   return BallHit{static_cast<double>(t), glm::dvec3(p / std::sqrt(glm::dot(p, p)))};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace laver::xml {
 namespace {
@@ -78,6 +79,7 @@ std::vector<std::string_view> knownTypes(std::string_view tag) {
 
 std::vector<std::string_view> knownOperations() {
   std::vector<std::string_view> tags;
+  tags.reserve(std::size(kOperations));
   for (const OperationRule& rule : kOperations) tags.emplace_back(rule.tag);
   return tags;
 }

@@ -29,6 +29,7 @@ void ImageView::draw(const ViewedPictures::Contents& contents, const ViewLayer& 
                  bitmap.pixels.data());
     drawn_ = wanted;
   }
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): what ImGui's OpenGL backend takes
   const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture_));
   ImGui::GetBackgroundDrawList()->AddImage(
       texture, {0.0F, 0.0F}, {static_cast<float>(size.x), static_cast<float>(size.y)});

@@ -1,9 +1,10 @@
 // laver_embree SCENE.xml: the picture that laver renders, by Embree, with the same samples and
 // filter and the same options, so that `laver chart --program` can run it.
 #include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
 #include <fstream>
 #include <future>
-#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "bench/embree_film.h"
@@ -100,11 +101,8 @@ void render(const Command& command) {
       {"samples", {{"total", static_cast<double>(samples) * image.width * image.height}}}};
 }
 
-}  // namespace
-}  // namespace laver::bench
-
-int main(int argc, char** argv) {
-  laver::bench::Command command;
+int dispatch(int argc, char** argv) {
+  Command command;
   CLI::App app("Renders what laver renders by Embree.", "laver_embree");
   app.add_option("scene", command.scene)->required();
   app.add_option("-o", command.output);
@@ -118,14 +116,21 @@ int main(int argc, char** argv) {
   app.add_option("--device", command.ignored, "taken, and of no effect");
   app.add_flag("-q,--quiet", command.quiet, "taken: nothing is printed");
   CLI11_PARSE(app, argc, argv);
+  render(command);
+  return 0;
+}
+
+}  // namespace
+}  // namespace laver::bench
+
+int main(int argc, char** argv) {
   try {
-    laver::bench::render(command);
-    return 0;
+    return laver::bench::dispatch(argc, argv);
   } catch (const laver::Error& error) {
-    std::cerr << "laver_embree: " << error.what() << '\n';
+    std::fprintf(stderr, "laver_embree: %s\n", error.what());
     return static_cast<int>(error.code());
   } catch (const std::exception& error) {
-    std::cerr << "laver_embree: " << error.what() << '\n';
+    std::fprintf(stderr, "laver_embree: %s\n", error.what());
     return 1;
   }
 }

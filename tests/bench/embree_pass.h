@@ -58,7 +58,7 @@ class EmbreePass {
                 Chunk& chunk) const;
   Lanes lanesOf(bool together, std::size_t sample) const;
   void shadeDepth(Chunk& chunk) const;
-  int aimAtLight(Chunk& chunk, const shared::Light& light) const;
+  int aimAtLight(Chunk& chunk, const shared::Light& source) const;
   void shadeLight(Chunk& chunk, const shared::Light& light) const;
   void applyAlbedos(Chunk& chunk) const;
   void trace(const EmbreeCall& call, Chunk& chunk, Clock& clock, Result& result) const;

@@ -2,9 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
 
 #include "stability/page.h"
 
@@ -52,14 +53,7 @@ void print(const json& cases) {
     }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::cerr << "usage: stability_report FOLDER\n";
-    return 2;
-  }
-  const std::filesystem::path folder = argv[1];
+void report(const std::filesystem::path& folder) {
   const json cases = readCases(folder / "rows");
   print(cases);
   json table = cases;
@@ -67,5 +61,20 @@ int main(int argc, char** argv) {
   std::ofstream(folder / "stability.json") << table.dump(1) << '\n';
   std::ofstream(folder / "stability.html") << laver::stability::page(cases);
   fmt::print("\nWrote {0}/stability.json and {0}/stability.html\n", folder.string());
-  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fputs("usage: stability_report FOLDER\n", stderr);
+    return 2;
+  }
+  try {
+    report(argv[1]);
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "stability_report: %s\n", error.what());
+    return 1;
+  }
 }
