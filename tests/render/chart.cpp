@@ -95,7 +95,7 @@ TEST_F(ChartCommandLine, APeersPictureAndTimeStandBesideOurs) {
   ASSERT_EQ(chart("--spp 1 --peer Nori 0.25 peer.exr --peer Other 2e-3 peer.exr").code, 0)
       << contents(folder_ / "err.txt");
   const nlohmann::json points = json()["points"];
-  const auto nori = points[points.size() - 2], other = points[points.size() - 1];
+  const auto &nori = points[points.size() - 2], &other = points[points.size() - 1];
   EXPECT_EQ(nori["program"], "Nori");
   EXPECT_EQ(nori["seconds"]["median"], 0.25);
   EXPECT_EQ(nori["processSeconds"]["median"], 0.25);
@@ -136,12 +136,13 @@ TEST_F(ChartCommandLine, BadArgumentsAreOneLine) {
   Image grey = rgbImage(16, 12);
   grey.channels = {"X", "Y", "Z"};
   writeExr(path("grey.exr"), grey);
+  constexpr const char* kSelf = "--program laver '" LAVER_BINARY "'";
   for (const char* more :
        {"--peer Nori 1", "--peer Nori fast small.exr", "--peer Nori 0 small.exr",
         "--peer Nori -1 small.exr", "--peer Nori 1 small.exr", "--peer Nori 1 none.exr",
         "--peer Nori 1 text.exr", "--peer Nori 1 grey.exr", "--program embree",
-        "--program embree none", "--program laver '" LAVER_BINARY "'", "--metric ssim", "--size 16",
-        "--size 0x4", "--runs 0", "--spp 0"}) {
+        "--program embree none", kSelf, "--metric ssim", "--size 16", "--size 0x4", "--runs 0",
+        "--spp 0"}) {
     const Outcome run = chart(more);
     EXPECT_EQ(run.code, 2) << more << ": " << run.err;
     EXPECT_EQ(lines(run.err), 1) << more << ": " << run.err;

@@ -68,7 +68,7 @@ TEST(Occlusion, PassesAndCropsKeepTheNumbers) {
   const Scene scene = smallScene("cornell-ao.xml", 70, 5);
   const Image whole = render(scene);
   VulkanOptions pieces = cpuDevice();
-  pieces.samplesInFlight = 70 * 7;
+  pieces.samplesInFlight = std::uint64_t{70} * 7;
   EXPECT_EQ(differingFloats(whole, render(scene, pieces)), 0U);
   RenderOptions options;
   options.crop = Crop{31, 30, 70, 66};

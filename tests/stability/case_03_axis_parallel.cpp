@@ -23,7 +23,8 @@ ClosedMesh cube() {
   const auto vertex = [&](std::array<int, 3> p) {
     const auto [at, isNew] = known.try_emplace(p, static_cast<std::uint32_t>(positions.size()));
     if (isNew)
-      positions.emplace_back(glm::vec3(p[0], p[1], p[2]) / static_cast<float>(kCells / 2) - 1.0F);
+      positions.emplace_back(glm::vec3(p[0], p[1], p[2]) / (static_cast<float>(kCells) / 2.0F) -
+                             1.0F);
     return at->second;
   };
   for (std::size_t axis = 0; axis < 3; ++axis)

@@ -45,6 +45,7 @@ struct Plane {
   Scene scene;
 };
 
+constexpr std::size_t kFew = 12288;                   // targets of the naive way
 constexpr double kElevations[] = {0.3, 0.03, 0.003};  // radians of the light over the plane
 dvec3 lightOf(const Plane& plane, double elevation) {
   const double d = plane.setting.light;
@@ -92,6 +93,7 @@ std::vector<std::uint32_t> sightOf(const Plane& plane, const SceneData& data, Su
                                    const std::vector<glm::dvec2>& where, double elevation) {
   const glm::vec3 eye(data.space.apply(plane.at(0.1, -0.2, plane.setting.camera)));
   std::vector<test::TestRay> rays;
+  rays.reserve(where.size());
   for (const auto& w : where)
     rays.push_back(rayOf(eye, glm::vec3(data.space.apply(plane.at(w.x, w.y, 0.0)) - dvec3(eye))));
   const glm::vec3 light(data.space.apply(lightOf(plane, elevation)));
@@ -121,16 +123,16 @@ LAVER_STABILITY(04, Acne, "A flat plane lit at grazing angles") {
   std::map<std::string, Sum> sums;
   std::vector<std::string> order;
   std::uint64_t naiveRays = 0, naiveCount = 0;
-  const auto where = targets(amount(full, 12 * 1024, 96 * 1024));
+  const auto where = targets(amount(full, kFew, 8 * kFew));
   for (const Setting& setting : settings) {
     const Plane plane(setting);
-    const std::size_t few = std::min<std::size_t>(where.size(), 12 * 1024);
+    const std::size_t few = std::min<std::size_t>(where.size(), kFew);
     naiveRays += few;
     naiveCount += naiveShadows(
         plane, {where.begin(), where.begin() + static_cast<std::ptrdiff_t>(few)}, nullptr);
     const SceneData data = packScene(plane.scene, {}, specialise(plane.scene, {}));
     for (const auto& subject : subjects(data.bvh)) {
-      if (sums.count(subject->name) == 0) order.push_back(subject->name);
+      if (!sums.contains(subject->name)) order.push_back(subject->name);
       Sum& sum = sums[subject->name];
       for (const double elevation : kElevations) {
         const auto seen = sightOf(plane, data, *subject, where, elevation);

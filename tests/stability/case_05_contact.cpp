@@ -44,7 +44,8 @@ struct Contact {
 constexpr int kPoints = 256;
 /// Floor points under the plate, seen from below the plate's border.
 glm::dvec2 floorPoint(int i) {
-  return {0.2 * ((i % 16) / 7.5 - 1.0) + 1e-3, 0.2 * ((i / 16) / 7.5 - 1.0) + 2e-3};
+  const int column = i % 16, row = i / 16;
+  return {0.2 * (column / 7.5 - 1.0) + 1e-3, 0.2 * (row / 7.5 - 1.0) + 2e-3};
 }
 
 bool naiveSees(const Contact& c, double light) {
@@ -113,7 +114,7 @@ LAVER_STABILITY(05, Contact, "The smallest contact gap that still casts a shadow
           naiveGap = -std::abs(naiveGap);
         const SceneData data = packScene(c.scene, {}, specialise(c.scene, {}));
         for (const auto& subject : subjects(data.bvh)) {
-          if (smallest.count(subject->name) == 0) order.push_back(subject->name);
+          if (!smallest.contains(subject->name)) order.push_back(subject->name);
           double& gap = smallest.try_emplace(subject->name, 1.0).first->second;
           if (gap > 0) gap = seesAll(*subject, c, data, light) ? g : -gap;
         }

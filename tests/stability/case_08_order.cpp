@@ -4,7 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
+#include <array>
+#include <bit>
 
 #include "render/harness.h"
 #include "stability/meshes.h"
@@ -36,6 +37,10 @@ struct Sheets {
   ClosedMesh sorted;
   Bvh listed;
 };
+
+std::array<std::uint32_t, 4> bitsOf(const test::TestHit& hit) {
+  return std::bit_cast<std::array<std::uint32_t, 4>>(hit);
+}
 
 /// The first met at the least t wins, as usual.
 std::uint32_t naiveWinner(const Bvh& bvh, const test::TestRay& ray) {
@@ -84,11 +89,11 @@ std::uint64_t otherBits(const std::string& traversal) {
 LAVER_STABILITY(08, Order, "Ties: child order, triangle order, node width, traversal") {
   const Sheets sheets;
   const auto half = static_cast<std::uint32_t>(sheets.triangles.size() / 2);
-  constexpr int kSide = 96;
-  const int side = full ? 8 * kSide : 2 * kSide;
+  constexpr std::size_t kSide = 96;
+  const std::size_t step = full ? 8 : 2, side = step * kSide;
   std::vector<test::TestRay> rays;
-  for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x) {
+  for (std::size_t y = 0; y < side; ++y)
+    for (std::size_t x = 0; x < side; ++x) {
       const glm::vec3 target((2.0F * static_cast<float>(x) + 1.0F) / static_cast<float>(side) - 1,
                              (2.0F * static_cast<float>(y) + 1.0F) / static_cast<float>(side) - 1,
                              0.0F);
@@ -129,7 +134,7 @@ LAVER_STABILITY(08, Order, "Ties: child order, triangle order, node width, trave
       if (wanted.empty()) wanted = hits;
       std::uint64_t differ = 0;
       for (std::size_t i = 0; i < hits.size(); ++i) {
-        differ += std::memcmp(&hits[i], &wanted[i], sizeof hits[i]) != 0 ? 1 : 0;
+        differ += bitsOf(hits[i]) != bitsOf(wanted[i]) ? 1 : 0;
         // The first copy owns every tie.
         differ += hits[i].id != shared::NO_HIT && hits[i].id >= half ? 1 : 0;
       }
@@ -137,11 +142,9 @@ LAVER_STABILITY(08, Order, "Ties: child order, triangle order, node width, trave
       record.add({name, subject->name, rays.size(),
                   same ? std::nullopt : std::optional(static_cast<double>(naiveDiffer)),
                   static_cast<double>(differ), 0.0, "hits"});
-      const int step = side / kSide;
-      for (int y = 0; y < kSide; ++y)
-        for (int x = 0; x < kSide; ++x) {
-          const auto i = static_cast<std::size_t>(y * step * side + x * step);
-          const auto p = static_cast<std::size_t>(y * kSide + x);
+      for (std::size_t y = 0; y < kSide; ++y)
+        for (std::size_t x = 0; x < kSide; ++x) {
+          const std::size_t i = (y * side + x) * step, p = y * kSide + x;
           if (winners[i] == shared::NO_HIT || hits[i].id == shared::NO_HIT) continue;
           const Rgb8 own{70, 130, 200}, copy{220, 120, 40};
           before.pixels[p] = winners[i] < half ? own : copy;
@@ -150,8 +153,9 @@ LAVER_STABILITY(08, Order, "Ties: child order, triangle order, node width, trave
     }
   }
   for (const std::string traversal : {"lane", "packet32", "packet64"})
-    record.add({"run again, in small pieces, cropped on one thread", traversal, 4 * 90 * 60,
-                std::nullopt, static_cast<double>(otherBits(traversal)), 0.0, "floats"});
+    record.add({"run again, in small pieces, cropped on one thread", traversal,
+                std::uint64_t{4} * 90 * 60, std::nullopt, static_cast<double>(otherBits(traversal)),
+                0.0, "floats"});
   record.picture(
       "Ties: a sheet and its exact copy, whose triangles list their corners from another one on; "
       "blue where a ray met the first, orange the copy.",

@@ -24,6 +24,8 @@ Scene square(Filter filter, bool flat) {
   return scene;
 }
 
+constexpr std::uint64_t kSamples = 16384;  // 4 for each of 64x64 pixels
+
 double furthest(const Image& a, const Image& b) {
   double most = 0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i)
@@ -65,14 +67,14 @@ LAVER_STABILITY(14, Filters, "Filters: flat field, step, negative lobes") {
       Image ones = rgbImage(64, 64);
       for (std::size_t i = 2; i < ones.pixels.size(); i += 3) ones.pixels[i] = 1.0F;
       const Image field = test::render(flat, vulkan);
-      record.add({std::string(name) + ", flat field", traversal, 64 * 64 * 4,
+      record.add({std::string(name) + ", flat field", traversal, kSamples,
                   unnormalised(Reference(flat)), furthest(field, ones), 1e-6, "of the field"});
 
       const Scene step = square(filter, false);
       const Reference reference(step);
       RenderOptions compat;
       compat.noriCompat = true;
-      record.add({std::string(name) + ", step; naive: Nori's table", traversal, 64 * 64 * 4,
+      record.add({std::string(name) + ", step; naive: Nori's table", traversal, kSamples,
                   furthest(test::render(step, vulkan, compat), reference.render()),
                   furthest(test::render(step, vulkan), reference.render()), 1e-6, "of the step"});
     }

@@ -18,7 +18,6 @@ namespace {
 using exact::Quad;
 using glm::dvec3;
 using glm::vec3;
-using test::TestHit;
 using test::TestRay;
 
 shared::Triangle sphereOf(vec3 centre, float radius, std::uint32_t id) {
@@ -35,7 +34,8 @@ struct Truth {
 
 Quad rootOf(Quad x) {
   if (x <= 0) return 0;
-  Quad r = std::sqrt(static_cast<double>(x));  // three steps of Newton's method double its 53 bits
+  auto r = static_cast<Quad>(
+      std::sqrt(static_cast<double>(x)));  // three steps of Newton's method double its 53 bits
   for (int i = 0; i < 3; ++i) r = (r + x / r) / 2;
   return r;
 }
@@ -95,11 +95,13 @@ std::vector<TestRay> raysAt(const Setting& s, std::uint64_t count, double edge) 
   std::vector<TestRay> rays;
   vec3 origin(0.0F);
   for (std::uint64_t i = 0; i < count; ++i) {
-    if (i % 64 == 0) origin = vec3(dvec3(s.centre) + double{s.distance} * anyWay());
+    if (i % 64 == 0) origin = vec3(dvec3(s.centre) + static_cast<double>(s.distance) * anyWay());
     const dvec3 back = dvec3(s.centre) - dvec3(origin);
     const dvec3 side = glm::normalize(glm::cross(back, anyWay()));
-    const double way = edge * std::sqrt(unit(random)) * double{s.radius};
-    const dvec3 aim = double{s.distance} < 1.5 * double{s.radius} ? anyWay() : back + way * side;
+    const double way = edge * std::sqrt(unit(random)) * static_cast<double>(s.radius);
+    const dvec3 aim = static_cast<double>(s.distance) < 1.5 * static_cast<double>(s.radius)
+                          ? anyWay()
+                          : back + way * side;
     rays.push_back(rayOf(origin, vec3(aim)));
   }
   return rays;
@@ -123,7 +125,8 @@ Errors judge(const Setting& s, const std::vector<TestRay>& rays, const Twin* twi
     const bool hit = t < 1e36F;
     const bool met = truth.apart <= Quad(s.radius) && truth.leave >= 0;
     // The line by 16 e A, the outline by 5 e radius (box.h, sphere.h).
-    const double bound = static_cast<double>(shared::padOf(o)) + 8 * 0x1p-24 * double{s.radius};
+    const double bound =
+        static_cast<double>(shared::padOf(o)) + 8 * 0x1p-24 * static_cast<double>(s.radius);
     const double off = std::abs(static_cast<double>(truth.apart - Quad(s.radius)));
     if (hit != met) {
       // From on the surface the ends of the chord decide too.
@@ -145,7 +148,7 @@ LAVER_STABILITY(18, Spheres, "Spheres: far, huge, tiny, grazing, from inside") {
   for (const Setting& s : kSettings) {
     const std::vector<shared::Triangle> spheres{sphereOf(s.centre, s.radius, 0)};
     const Bvh bvh = buildBvh(spheres);
-    const auto rays = raysAt(s, amount(full, 64 * 1024, 1024 * 1024), 1.1);
+    const auto rays = raysAt(s, amount(full, 1U << 16, 1U << 20), 1.1);
     const Errors naive = judge(s, rays, nullptr, spheres[0], [&](std::size_t i) {
       const float t = taught(rays[i].origin, rays[i].direction, s.centre, s.radius, 1e-4F);
       return std::isfinite(t) ? t : 1e37F;
@@ -176,9 +179,10 @@ std::vector<vec3> litPoints(Subject& subject, const Bvh& bvh, const Setting& s, 
   for (std::size_t i = 0; i < rays.size(); ++i) {
     if (hits[i].id == shared::NO_HIT) continue;
     const Truth truth = truthOf(rays[i].origin, rays[i].direction, s.centre, s.radius);
-    const dvec3 p = dvec3(s.centre) + truth.normal * double{s.radius};
+    const dvec3 p = dvec3(s.centre) + truth.normal * static_cast<double>(s.radius);
     // e (|centre| + radius) / radius is what a point's rounding tilts the horizon by.
-    const double level = 64 * 0x1p-24 * (1.0 + glm::length(dvec3(s.centre)) / double{s.radius});
+    const double level =
+        64 * 0x1p-24 * (1.0 + glm::length(dvec3(s.centre)) / static_cast<double>(s.radius));
     if (glm::dot(truth.normal, glm::normalize(dvec3(light) - p)) > level)
       points.push_back(shadowPoint(subject, bvh, rays[i], 0, light));
   }
@@ -190,7 +194,7 @@ LAVER_STABILITY(19, BallShadows, "Spheres shade neither themselves nor nothing")
   for (const Setting& s : {kSettings[0], kSettings[1], kSettings[2],
                            Setting{"radius 1 from 3", 1.0F, 3.0F, vec3(0.0F)}}) {
     const Bvh bvh = buildBvh(std::vector{sphereOf(s.centre, s.radius, 0)});
-    const auto rays = raysAt(s, amount(full, 16 * 1024, 256 * 1024), 1.0);
+    const auto rays = raysAt(s, amount(full, 1U << 14, 1U << 18), 1.0);
     for (const float distance : {1.5F, 1e2F, 1e4F}) {
       const vec3 light = s.centre + towards * distance;
       std::uint64_t naive = 0;

@@ -84,7 +84,7 @@ glm::dvec3 normal(const shared::Triangle& triangle) {
 
 double ulps(float value, double truth) {
   const float rounded = std::abs(static_cast<float>(truth));
-  const double ulp = static_cast<double>(std::nextafter(rounded, INFINITY) - rounded);
+  const auto ulp = static_cast<double>(std::nextafter(rounded, INFINITY) - rounded);
   return std::abs(static_cast<double>(value) - truth) / ulp;
 }
 

@@ -68,7 +68,7 @@ bool isArithmetic(const std::string& op) {
                                             "OpVectorTimesMatrix",
                                             "OpMatrixTimesScalar",
                                             "OpMatrixTimesMatrix"};
-  return ops.count(op) != 0;
+  return ops.contains(op);
 }
 
 /// Compares and conversions have a result of another type, or are none of what is counted.
@@ -87,7 +87,7 @@ class Divergence {
     words >> first >> second >> operation >> type >> callee;
     if (first == "OpSelectionMerge") merge_ = second;
     if (first == "OpBranchConditional") {
-      if (!merge_.empty() && constants_.count(second) == 0) arms_.push_back(merge_);
+      if (!merge_.empty() && !constants_.contains(second)) arms_.push_back(merge_);
       merge_.clear();
     }
     if (startsWith(operation, "OpSpecConstant") || startsWith(operation, "OpConstant"))
@@ -108,11 +108,11 @@ class Divergence {
     for (std::size_t known = 0; known != groups.size();) {
       known = groups.size();
       for (const Call& call : calls_)
-        if (groups.count(call.callee) != 0) groups.insert(call.caller);
+        if (groups.contains(call.callee)) groups.insert(call.caller);
     }
     std::vector<std::string> places;
     for (const Call& call : calls_)
-      if (call.inArm && groups.count(call.callee) != 0) places.push_back(call.caller);
+      if (call.inArm && groups.contains(call.callee)) places.push_back(call.caller);
     return places;
   }
 
@@ -159,16 +159,16 @@ KernelCounts countOf(const std::string& disassembly) {
       if (third == "OpTypeFloat" && type == "64") ++kernel.doubles;
       if (third == "OpTypeInt" && type == "64") ++kernel.longs;
       if ((third == "OpTypeInt" && type == "64") ||
-          (third == "OpTypeVector" && longs.count(type) != 0))
+          (third == "OpTypeVector" && longs.contains(type)))
         longs.insert(first);
       if (current == nullptr) continue;
       if (isIntegerArithmetic(third)) {
         words >> type;
-        kernel.longArithmetic += longs.count(type) != 0 ? 1 : 0;
+        kernel.longArithmetic += longs.contains(type) ? 1 : 0;
       }
       if (isArithmetic(third)) {
         ++current->arithmetic;
-        current->decorated += decorated.count(first) != 0 ? 1 : 0;
+        current->decorated += decorated.contains(first) ? 1 : 0;
       } else if (third == "OpExtInst") {
         words >> type >> set >> function;
         if (function == "FMin" || function == "FMax" || function == "FClamp")
@@ -196,7 +196,7 @@ std::vector<std::string> lint(const KernelCounts& kernel, bool packet) {
       faults.push_back(fmt::format("{}: {} of {} instructions are NoContraction, expected {}{}",
                                    name, counts.decorated, counts.arithmetic, precise->second.count,
                                    precise->second.all ? ", all" : ""));
-    if (counts.nanSensitive != 0 && kMayCompare.count(name) == 0)
+    if (counts.nanSensitive != 0 && !kMayCompare.contains(name))
       faults.push_back(fmt::format("{}: {} of FMin, FMax, FClamp without a stated reason", name,
                                    counts.nanSensitive));
     if (counts.divergent != 0)

@@ -3,8 +3,6 @@
 namespace laver {
 namespace {
 
-using shared::Triangle;
-
 TEST(Bvh, NoTrianglesAreANodeWithoutChildren) {
   const Bvh bvh = buildBvh({}, 1);
   EXPECT_EQ(bvh.root, 0U);

@@ -68,7 +68,7 @@ TEST(WideTree, CollapseReachesTheLeastCost) {
 }
 
 TEST(BinaryTree, FourItemsAreDividedAtLeastCost) {
-  for (std::uint32_t seed = 0; seed < 50; ++seed) {
+  for (std::ptrdiff_t seed = 0; seed < 50; ++seed) {
     auto triangles = randomTriangles(200, 0.8F);
     triangles.erase(triangles.begin(), triangles.begin() + seed * 4);
     triangles.resize(4);

@@ -72,9 +72,9 @@ TEST(Exr, KeepsEveryBitAcrossChunksAndThreads) {
   std::uint32_t noise = 1;
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     noise = noise * 1664525 + 1013904223;
-    const bool smooth = i / (37 * 3) / 64 % 2 == 0;
+    const std::size_t row = i / 37 / 3, level = i / 300;
     image.pixels[i] =
-        smooth ? static_cast<float>(i / 300) : std::bit_cast<float>(noise ^ noise >> 13);
+        row / 64 % 2 == 0 ? static_cast<float>(level) : std::bit_cast<float>(noise ^ noise >> 13);
   }
   for (const unsigned threads : {1U, 3U}) {
     writeExr(folder.file("a.exr"), image, {}, threads);

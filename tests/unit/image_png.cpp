@@ -59,8 +59,8 @@ TEST(Srgb, TheTableEqualsTheFormula) {
   // Every 509th float from below 2^-13 to above 1 (a prime: it meets all low bits), and all around
   // each step of the curve.
   std::uint32_t steps = 0;
-  const std::uint32_t end = std::bit_cast<std::uint32_t>(1.25f);
-  for (std::uint32_t bits = std::bit_cast<std::uint32_t>(1e-4f); bits < end; bits += 509) {
+  const auto end = std::bit_cast<std::uint32_t>(1.25f);
+  for (auto bits = std::bit_cast<std::uint32_t>(1e-4f); bits < end; bits += 509) {
     const auto x = std::bit_cast<float>(bits);
     ASSERT_EQ(table(x), srgb8(x)) << x;
     if (srgb8(x) == srgb8(std::bit_cast<float>(bits + 509))) continue;

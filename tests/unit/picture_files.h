@@ -35,6 +35,7 @@ inline std::string png(int width, int height, int depth, int colorType,
                        static_cast<png_byte>(30 * i)});
   if (colorType == PNG_COLOR_TYPE_PALETTE) png_set_PLTE(png, info, palette.data(), 4);
   std::vector<png_bytep> pointers;
+  pointers.reserve(rows.size());
   for (const auto& row : rows) pointers.push_back(const_cast<png_bytep>(row.data()));
   png_write_info(png, info);
   png_write_image(png, pointers.data());

@@ -125,11 +125,12 @@ TEST(PictureRead, EveryTruncationIsRefusedWithAReason) {
   for (unsigned i = 0; i < 16 * 16 * 3; ++i)
     noise.push_back(static_cast<unsigned char>(i * i * 37 >> 3));
   Rows rows;
-  for (int y = 0; y < 16; ++y)
+  for (std::ptrdiff_t y = 0; y < 16; ++y)
     rows.emplace_back(noise.begin() + 48 * y, noise.begin() + 48 * (y + 1));
   const Folder folder;
   Image image = rgbImage(16, 16);
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = noise[i] / 255.0F;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = static_cast<float>(noise[i]) / 255.0F;
   writeExr(folder.file("a.exr"), image);
   for (const std::string& whole :
        {png(16, 16, 8, PNG_COLOR_TYPE_RGB, rows), jpeg(16, 16, 3, JCS_RGB, noise),

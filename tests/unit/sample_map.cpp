@@ -127,7 +127,7 @@ TEST(SampleMap, AFeatureThatOneSampleInAHundredMeetsIsNotBiased) {
   std::uint64_t pixels = 0;
   for (int round = 0; round < 240; ++round) {
     std::vector<Image> pilots(kPilots, rgbImage(kFilm.x1, kFilm.y1));
-    std::vector<double> seen(256 * 256, 0.0);
+    std::vector<double> seen(std::size_t{256} * 256, 0.0);
     for (Image& pilot : pilots)
       for (std::size_t i = 0; i < seen.size(); ++i) {
         const bool met = static_cast<double>(random()) < kShare * 4294967296.0;

@@ -18,6 +18,7 @@ namespace {
 
 std::vector<std::string> namesOf(const std::vector<ViewLayer>& layers) {
   std::vector<std::string> names;
+  names.reserve(layers.size());
   for (const ViewLayer& layer : layers) names.push_back(layer.name);
   return names;
 }

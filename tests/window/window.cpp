@@ -29,8 +29,8 @@ Bitmap srgb(const Image& image) {
 
 /// Whether all pixels of `part` are somewhere in `whole`, side by side as they are.
 bool holds(const Bitmap& whole, const Bitmap& part) {
-  const auto fits = [&](int x0, int y0) {
-    for (int y = 0; y < part.height; ++y) {
+  const auto fits = [&](std::ptrdiff_t x0, std::ptrdiff_t y0) {
+    for (std::ptrdiff_t y = 0; y < part.height; ++y) {
       const auto row = part.pixels.begin() + y * part.width;
       const auto there = whole.pixels.begin() + (y0 + y) * whole.width + x0;
       if (!std::equal(row, row + part.width, there)) return false;
@@ -103,7 +103,7 @@ TEST_F(WindowTest, ClosedEarlyKeepsWhatThereIs) {
   Child child(folder_, cornell({"--spp", "1048576"}));
   // Before the first pass there are but two colours, black and the surround.
   ASSERT_TRUE(sees(child, [](const Bitmap& window) {
-    const auto end = window.pixels.begin() + window.width * (window.height * 2 / 3);
+    const auto end = window.pixels.begin() + std::ptrdiff_t{window.width} * (window.height * 2 / 3);
     return std::set<Rgb8>(window.pixels.begin(), end).size() > 50;
   })) << err();
   screen_.close();
