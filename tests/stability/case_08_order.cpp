@@ -123,6 +123,7 @@ LAVER_STABILITY(08, Order, "Ties: child order, triangle order, node width, trave
   for (const auto& [name, tree] : trees) {
     std::uint64_t naiveDiffer = 0;
     std::vector<std::uint32_t> winners;
+    winners.reserve(rays.size());
     for (const auto& ray : rays) winners.push_back(naiveWinner(tree.second, ray));
     if (naiveWanted.empty()) naiveWanted = winners;
     for (std::size_t i = 0; i < rays.size(); ++i) naiveDiffer += winners[i] != naiveWanted[i];
