@@ -59,7 +59,7 @@ std::vector<std::string> Choice::arguments() const {
 }
 
 std::vector<std::string> traversalsBeside(const std::string& unasked) {
-  if (unasked == "lane") return {};  // perhaps all that the device has
+  if (unasked == "lane") return {};
   return {"lane", unasked == "packet64" ? "packet32" : "packet64"};
 }
 

@@ -41,7 +41,8 @@ std::vector<Choice> choicesFor(const Scene& scene, const std::vector<Program>& p
                                const std::vector<std::string>& traversals,
                                std::uint32_t mostSamples);
 
-/// The traversals of a device that one sample a pixel, unasked, does not take.
+/// The traversals beside the one that a device takes `unasked`; none beside lane, which may be all
+/// that it has.
 std::vector<std::string> traversalsBeside(const std::string& unasked);
 
 /// Numbers of the choices that differ by the program alone, side by side.

@@ -12,7 +12,8 @@
 namespace laver::chart {
 namespace {
 
-/// Told apart by those who see no red or no green (Okabe and Ito, "Color Universal Design", 2008).
+/// The first six are told apart by those who see no red or no green (Okabe and Ito, "Color
+/// Universal Design", 2008). To them the seventh looks like the second: marks differ in shape too.
 constexpr Rgb8 kPalette[] = {{0, 114, 178}, {213, 94, 0},   {0, 158, 115}, {204, 121, 167},
                              {0, 0, 0},     {86, 180, 233}, {170, 130, 0}, {110, 110, 110},
                              {100, 0, 130}, {140, 200, 60}};

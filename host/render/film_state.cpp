@@ -67,6 +67,7 @@ void FilmState::begin(const Settings& now, int width, int height, std::uint32_t 
     return;
   }
   for (const auto& [name, value] : now) {
+    // Named anew, since clang 14 captures no structured binding as it is.
     const auto same = [&name = name](const auto& setting) { return setting.first == name; };
     const auto found = std::find_if(settings.begin(), settings.end(), same);
     const std::string had = found == settings.end() ? "none" : found->second;

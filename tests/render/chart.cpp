@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "chart/choices.h"
 #include "image/io.h"
 #include "render/child.h"
 #include "render/command_line.h"
@@ -47,9 +48,10 @@ TEST_F(ChartCommandLine, MakesFourFilesOnceAndThenTakesWhatIsKept) {
   const nlohmann::json first = json();
   EXPECT_EQ(first["width"], 16);
   EXPECT_GE(first["points"].size(), 8U);  // 1 and 4 samples by four filters at least
-  std::set<std::string> filters;
+  std::set<std::string> filters, traversals;
   for (const auto& point : first["points"]) {
     filters.insert(point["filter"]);
+    traversals.insert(point["traversal"]);
     EXPECT_GT(point["rmse"], 0.0);
     EXPECT_GT(point["seconds"]["median"], 0.0);
     EXPECT_GT(point["processSeconds"]["median"], point["seconds"]["median"]);
@@ -59,6 +61,12 @@ TEST_F(ChartCommandLine, MakesFourFilesOnceAndThenTakesWhatIsKept) {
     }
   }
   EXPECT_EQ(filters.size(), 4U);
+  ASSERT_EQ(laver("s.xml --size 16x12 --spp 1 --device cpu --stats=s.json -o s.exr --quiet").code,
+            0);
+  const auto stats = nlohmann::json::parse(contents(folder_ / "s.json"));
+  std::set<std::string> expected{""};
+  for (const auto& other : chart::traversalsBeside(stats["traversal"])) expected.insert(other);
+  EXPECT_EQ(traversals, expected);
   EXPECT_GT(first["reference"]["filters"][0]["band"], 0.0);
   EXPECT_EQ(contents(folder_ / "c/chart.png").substr(1, 3), "PNG");
   EXPECT_GT(fs::file_size(folder_ / "c/chart.html"), 10000U);
