@@ -1,5 +1,5 @@
 # The window of --gui and `laver view`, where GLFW and Dear ImGui are there. It sees nothing of
-# Vulkan: of laver_host it takes what lies in host/view/ and host/image/ when it is linked.
+# Vulkan: of laver_host it takes what lies in host/show/ and host/image/ when it is linked.
 find_package(glfw3 3.3 QUIET)
 find_package(OpenGL QUIET)
 find_path(LAVER_IMGUI_INCLUDE backends/imgui_impl_opengl3.h PATH_SUFFIXES imgui)
@@ -9,13 +9,13 @@ if(glfw3_FOUND AND OpenGL_FOUND AND LAVER_IMGUI_INCLUDE AND LAVER_IMGUI
    AND LAVER_STB)
   set(LAVER_HAS_WINDOW ON)
   add_library(laver_window STATIC
-    host/window/window.cpp host/window/image_view.cpp host/window/panels.cpp)
+    host/show/window.cpp host/show/image_view.cpp host/show/panels.cpp)
   target_include_directories(laver_window SYSTEM PRIVATE ${LAVER_IMGUI_INCLUDE})
   target_link_libraries(laver_window PRIVATE ${LAVER_IMGUI} ${LAVER_STB} glfw OpenGL::GL ${CMAKE_DL_LIBS})
 else()
   set(LAVER_HAS_WINDOW OFF)
   message(STATUS "No libglfw3-dev or libimgui-dev: laver is built without a window")
-  add_library(laver_window STATIC host/window/no_window.cpp)
+  add_library(laver_window STATIC host/show/no_window.cpp)
 endif()
 target_include_directories(laver_window PRIVATE host)
 target_link_libraries(laver_window PRIVATE fmt::fmt glm::glm laver_warnings

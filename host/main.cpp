@@ -9,7 +9,7 @@
 #include "commands/commands.h"
 #include "commands/options.h"
 #include "commands/standard_output.h"
-#include "view/view.h"
+#include "show/view.h"
 
 namespace {
 

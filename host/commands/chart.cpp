@@ -1,4 +1,4 @@
-#include "chart/chart.h"
+#include "lab/chart/chart.h"
 
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -8,12 +8,12 @@
 #include <filesystem>
 #include <iostream>
 
-#include "chart/panel.h"
 #include "commands/commands.h"
 #include "commands/interruption.h"
 #include "commands/progress.h"
 #include "commands/standard_output.h"
 #include "image/io.h"
+#include "lab/chart/panel.h"
 
 namespace laver {
 namespace {

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "core/error.h"
-#include "display/connection.h"
 #include "render/renderer.h"
 #include "scene/render_options.h"
 #include "scene/scene.h"
+#include "show/connection.h"
 
 namespace laver {
 

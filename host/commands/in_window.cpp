@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "commands/interruption.h"
-#include "window/window.h"
+#include "show/window.h"
 
 namespace laver {
 

@@ -5,7 +5,7 @@
 
 #include "core/error.h"
 #include "render/stats.h"
-#include "view/viewed_pictures.h"
+#include "show/viewed_pictures.h"
 
 namespace laver {
 

@@ -18,10 +18,10 @@
 #include "commands/progress.h"
 #include "commands/resume.h"
 #include "commands/standard_output.h"
-#include "display/display_server.h"
 #include "image/atomic_file.h"
 #include "image/io.h"
 #include "reference/reference.h"
+#include "show/display_server.h"
 
 namespace laver {
 namespace {

@@ -1,8 +1,8 @@
 #include "commands/commands.h"
 #include "image/image_defect.h"
 #include "image/io.h"
-#include "view/view_layers.h"
-#include "window/window.h"
+#include "show/view_layers.h"
+#include "show/window.h"
 
 namespace laver {
 namespace {

@@ -1,7 +1,7 @@
 // The pictures of laver_embree against the reference's of the same samples: a chart may compare
 // them with laver's.
-#include "chart/errors.h"
 #include "image/io.h"
+#include "lab/chart/errors.h"
 #include "render/command_line.h"
 #include "render/harness.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "chart/numbers.h"
+#include "lab/chart/numbers.h"
 
 namespace laver::bench {
 

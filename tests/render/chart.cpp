@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "chart/choices.h"
 #include "image/io.h"
+#include "lab/chart/choices.h"
 #include "render/child.h"
 #include "render/command_line.h"
 

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "chart/methods/judge.h"
-#include "chart/methods/methods.h"
-#include "chart/methods/quantise.h"
+#include "lab/chart/methods/judge.h"
+#include "lab/chart/methods/methods.h"
+#include "lab/chart/methods/quantise.h"
 #include "render/harness.h"
 #include "render/scene_data.h"
 #include "shared/triangle.h"

@@ -1,8 +1,8 @@
 // Spheres on the device against the reference, by both traversals.
-#include "chart/errors.h"
-#include "chart/methods/methods.h"
 #include "core/error.h"
-#include "explain/explain.h"
+#include "lab/chart/errors.h"
+#include "lab/chart/methods/methods.h"
+#include "lab/explain/explain.h"
 #include "render/explain.h"
 #include "render/harness.h"
 

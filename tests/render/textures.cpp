@@ -2,7 +2,7 @@
 #include <limits>
 #include <random>
 
-#include "explain/explain.h"
+#include "lab/explain/explain.h"
 #include "render/explain.h"
 #include "render/harness.h"
 #include "render/specialise.h"

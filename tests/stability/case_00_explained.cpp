@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "explain/explain.h"
+#include "lab/explain/explain.h"
 #include "reference/reference.h"
 #include "render/harness.h"
 #include "render/scene_data.h"

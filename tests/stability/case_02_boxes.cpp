@@ -4,7 +4,7 @@
 
 #include <atomic>
 
-#include "chart/methods/quantise.h"
+#include "lab/chart/methods/quantise.h"
 #include "stability/exact.h"
 #include "stability/meshes.h"
 #include "stability/naive.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "chart/methods/quantise.h"
+#include "lab/chart/methods/quantise.h"
 #include "stability/meshes.h"
 #include "stability/naive.h"
 #include "stability/record.h"

@@ -6,7 +6,7 @@
 #include <set>
 #include <tuple>
 
-#include "chart/choices.h"
+#include "lab/chart/choices.h"
 
 namespace laver::chart {
 namespace {

@@ -1,10 +1,10 @@
 // What a chart keeps from run to run.
 #include <gtest/gtest.h>
 
-#include "chart/errors.h"
-#include "chart/fingerprint.h"
-#include "chart/kept.h"
-#include "chart/truth.h"
+#include "lab/chart/errors.h"
+#include "lab/chart/fingerprint.h"
+#include "lab/chart/kept.h"
+#include "lab/chart/truth.h"
 #include "unit/image_test_folder.h"
 #include "unit/scene_files.h"
 

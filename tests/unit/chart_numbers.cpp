@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "chart/numbers.h"
+#include "lab/chart/numbers.h"
 
 namespace laver::chart {
 namespace {

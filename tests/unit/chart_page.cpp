@@ -4,8 +4,8 @@
 #include <pugixml.hpp>
 #include <sstream>
 
-#include "chart/page.h"
-#include "chart/panel.h"
+#include "lab/chart/page.h"
+#include "lab/chart/panel.h"
 
 namespace laver::chart {
 namespace {

@@ -1,4 +1,4 @@
-#include "display/display_server.h"
+#include "show/display_server.h"
 
 #include <future>
 #include <limits>

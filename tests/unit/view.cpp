@@ -1,5 +1,5 @@
 // What a window shows, without one.
-#include "view/view.h"
+#include "show/view.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include "image/difference.h"
 #include "image/false_colour.h"
 #include "image/srgb.h"
-#include "view/compose.h"
-#include "view/view_layers.h"
-#include "view/viewed_pictures.h"
+#include "show/compose.h"
+#include "show/view_layers.h"
+#include "show/viewed_pictures.h"
 
 namespace laver {
 namespace {

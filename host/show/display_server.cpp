@@ -1,0 +1,155 @@
+#include "show/display_server.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <cstdio>
+#include <exception>
+#include <mutex>
+
+#include "show/packets.h"
+
+namespace laver {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::seconds kStalled{1}, kAtMost{10};
+/// Numbers of a packet: a quarter MiB takes some ten microseconds to copy.
+constexpr std::size_t kPacketFloats = 1 << 16;
+
+}  // namespace
+
+struct DisplayServer::State {
+  ViewerAddress address;
+  std::string name;
+
+  std::mutex mutex;  // guards all below
+  std::condition_variable changed;
+  Image latest;
+  std::vector<bool> waiting;  // rows that the viewer has not got as they are
+  std::size_t next = 0;       // row to look at first
+  bool connected = false;
+  bool ending = false;  // no more rows come
+  bool over = false;    // the thread has ended
+  Clock::time_point end, progress;
+
+  /// While rows still come, for ever.
+  bool patient() {
+    const std::lock_guard lock(mutex);
+    const auto now = Clock::now();
+    return !ending || (now < end + kAtMost && now < std::max(end, progress) + kStalled);
+  }
+
+  void run() {
+    std::string problem;
+    try {
+      serve();
+    } catch (const std::exception& error) {
+      problem = error.what();
+    }
+    if (!problem.empty())
+      fmt::print(stderr,
+                 "laver: warning: display server {} port {}: {}; it has not all of the picture\n",
+                 address.host, address.port, problem);
+    const std::lock_guard lock(mutex);
+    over = true;
+    changed.notify_all();
+  }
+
+  void serve() {
+    const Connection::Patience patience = [this] { return patient(); };
+    const auto note = [this] {
+      const std::lock_guard lock(mutex);
+      progress = Clock::now();
+    };
+    Connection connection(address, patience);
+    {
+      const std::lock_guard lock(mutex);
+      connected = true;
+    }
+    bool created = false;
+    int y = 0;
+    for (Image rows = take(y); rows.height != 0; rows = take(y)) {
+      if (!created)
+        connection.send(createImagePacket(name, latest.width, latest.height, latest.channels),
+                        patience, note);
+      created = true;
+      connection.send(
+          updateImagePacket(name, rows.channels, y, rows.width, rows.height, rows.pixels), patience,
+          note);
+    }
+  }
+
+  /// Waits for rows and takes some that follow each other, `y` the first; none when all is over.
+  Image take(int& y) {
+    std::unique_lock lock(mutex);
+    std::size_t first = 0;
+    changed.wait(lock, [&] {
+      first = firstWaiting();
+      return first < waiting.size() || ending;
+    });
+    Image rows;
+    if (first >= waiting.size()) return rows;
+    const std::size_t stride = static_cast<std::size_t>(latest.width) * latest.channels.size();
+    const std::size_t most = first + std::max<std::size_t>(kPacketFloats / stride, 1);
+    for (next = first; next < std::min(most, waiting.size()) && waiting[next]; ++next)
+      waiting[next] = false;
+    const auto at = [&](std::size_t row) {
+      return latest.pixels.begin() + static_cast<std::ptrdiff_t>(row * stride);
+    };
+    rows.width = latest.width;
+    rows.height = static_cast<int>(next - first);
+    rows.channels = latest.channels;
+    rows.pixels.assign(at(first), at(next));
+    y = static_cast<int>(first);
+    return rows;
+  }
+
+  /// The first row that waits, from `next` on and then from the top; waiting.size() if none does.
+  std::size_t firstWaiting() const {
+    const std::size_t rows = waiting.size();
+    for (std::size_t i = 0; i < rows; ++i)
+      if (waiting[(next + i) % rows]) return (next + i) % rows;
+    return rows;
+  }
+};
+
+DisplayServer::DisplayServer(ViewerAddress address, std::string name)
+    : state_(std::make_shared<State>()) {
+  state_->address = std::move(address);
+  state_->name = std::move(name);
+  thread_ = std::thread([state = state_] { state->run(); });
+}
+
+DisplayServer::~DisplayServer() {
+  std::unique_lock lock(state_->mutex);
+  state_->ending = true;
+  state_->end = Clock::now();
+  state_->changed.notify_all();
+  // The thread's own patience ends sooner, unless it is looking up a name.
+  const auto most = (state_->connected ? kAtMost : kStalled) + kStalled;
+  state_->changed.wait_for(lock, most, [&] { return state_->over; });
+  const bool over = state_->over;
+  lock.unlock();
+  over ? thread_.join() : thread_.detach();
+}
+
+void DisplayServer::rowsChanged(const Image& picture, int firstRow, int endRow) {
+  const std::lock_guard lock(state_->mutex);
+  if (state_->over) return;
+  Image& latest = state_->latest;
+  if (latest.height == 0) {
+    latest = picture;
+    state_->waiting.assign(static_cast<std::size_t>(picture.height), false);
+  }
+  const std::ptrdiff_t stride =
+      picture.width * static_cast<std::ptrdiff_t>(picture.channels.size());
+  std::copy(picture.pixels.begin() + firstRow * stride, picture.pixels.begin() + endRow * stride,
+            latest.pixels.begin() + firstRow * stride);
+  std::fill(state_->waiting.begin() + firstRow, state_->waiting.begin() + endRow, true);
+  state_->changed.notify_all();
+}
+
+}  // namespace laver
