@@ -13,9 +13,6 @@ find_path(LAVER_VOLK_INCLUDE volk.h REQUIRED)
 find_path(LAVER_DEFLATE_INCLUDE libdeflate.h REQUIRED)
 find_library(LAVER_DEFLATE deflate REQUIRED)
 find_path(LAVER_TINYOBJ_INCLUDE tiny_obj_loader.h REQUIRED)
-find_program(LAVER_GLSLANG glslangValidator REQUIRED)
-find_program(LAVER_SPIRV_OPT spirv-opt REQUIRED)
-find_program(LAVER_SPIRV_VAL spirv-val REQUIRED)
 
 add_library(laver_dependencies INTERFACE)
 target_include_directories(laver_dependencies SYSTEM INTERFACE

@@ -30,7 +30,7 @@ add_custom_command(
 set(LAVER_IMAGE_FOLDER ${CMAKE_SOURCE_DIR}/scenes/images)
 set(LAVER_MADE_IMAGES ${LAVER_IMAGE_FOLDER}/waves.png ${LAVER_IMAGE_FOLDER}/sky.exr)
 add_executable(make_images scenes/make_images.cpp)
-target_link_libraries(make_images PRIVATE laver_host laver_warnings)
+target_link_libraries(make_images PRIVATE laver_base laver_warnings)
 add_custom_command(
   OUTPUT ${LAVER_MADE_IMAGES}
   COMMAND make_images ${LAVER_IMAGE_FOLDER}

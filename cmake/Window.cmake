@@ -19,5 +19,5 @@ else()
 endif()
 target_include_directories(laver_window PRIVATE host)
 target_link_libraries(laver_window PRIVATE fmt::fmt glm::glm laver_warnings
-                                           $<LINK_ONLY:laver_host>)
-target_link_libraries(laver_host PRIVATE laver_window)
+                                           $<LINK_ONLY:laver_base>)
+target_link_libraries(laver_base PRIVATE laver_window)

@@ -3,19 +3,18 @@
 #include <span>
 #include <vector>
 
-#include "render/plan.h"
-#include "render/scene_data.h"
+#include "render/packed.h"
 #include "vulkan/bindings.h"
 
 namespace laver {
 
-/// What each binding of layout.h is.
+/// The descriptor type of each binding of shared/layout.h.
 std::array<VkDescriptorType, shared::BINDINGS> bindingTypes();
 
-/// Everything that one render keeps on the device, bound as shaders/shared/layout.h numbers it.
+/// Everything that one render keeps on the device, bound as shared/layout.h numbers it.
 class DeviceScene {
  public:
-  DeviceScene(const Device& device, const SceneData& data, const RenderPlan& plan);
+  DeviceScene(const Device& device, const Packed& packed, const Tiling& tiling);
 
   const Bindings& bindings() const { return bindings_; }
   const Buffer& film() const { return film_; }
@@ -34,13 +33,11 @@ class DeviceScene {
     Buffer buffer;
     Handle<VkBufferView> view;
   };
-  void refill(Texels& texels, std::uint32_t binding, const char* what,
+  void refill(Texels& texels, std::uint32_t binding, const char* name,
               std::span<const std::byte> data);
   Buffer samples(std::uint32_t written, std::uint32_t read, std::uint64_t texels);
   void bindTexels(std::uint32_t binding, const Buffer& buffer, VkFormat format);
-  template <class T, class A>
-  void uploadTexels(std::uint32_t binding, const char* what, const std::vector<T, A>& data,
-                    VkDeviceSize zeros = 0, VkFormat format = VK_FORMAT_R32G32B32A32_UINT);
+  void upload(const DeviceArray& array);
 
   const Device& device_;
   Bindings bindings_;

@@ -20,7 +20,7 @@ void add(Fnv1a& hash, const std::vector<T, A>& data) {
 }
 
 /// Of all that the kernels read but the sample count and the tree, which no picture shows.
-std::string contentOf(const SceneData& data) {
+std::string contentOf(const Packed& data) {
   shared::Params params = data.params;
   params.film.z = params.film.w = 0;
   Fnv1a hash;
@@ -41,7 +41,7 @@ std::string contentOf(const SceneData& data) {
 
 }  // namespace
 
-Settings settingsOf(const Scene& scene, const SceneData& data, const Crop& core,
+Settings settingsOf(const Scene& scene, const Packed& data, const Crop& core,
                     const DeviceInfo& device) {
   Settings settings = {
       {"laverVersion", LAVER_VERSION},

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "image/image.h"
-#include "render/scene_data.h"
+#include "render/packed.h"
 
 namespace laver {
 
@@ -18,7 +18,7 @@ using Settings = std::vector<std::pair<std::string, std::string>>;
 
 /// Of a render with kernels that read `data`. The sample count is there where the sampler's samples
 /// depend on it.
-Settings settingsOf(const Scene& scene, const SceneData& data, const Crop& core,
+Settings settingsOf(const Scene& scene, const Packed& data, const Crop& core,
                     const DeviceInfo& device);
 
 /// The sums of a film, with which a render goes on. Rows count from the top of the picture, and

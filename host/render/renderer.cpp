@@ -1,83 +1,90 @@
 #include "render/renderer.h"
 
-#include <fmt/format.h>
-
 #include <future>
-#include <optional>
 #include <utility>
 
-#include "render/kernels.h"
-#include "render/passes.h"
-#include "render/plan.h"
-#include "render/render_pictures.h"
+#include "render/render.h"
 #include "render/stopwatch.h"
-#include "render/traversal.h"
-#include "render/vulkan_start.h"
+#include "vulkan/device.h"
 
 namespace laver {
+namespace {
+
+/// A device that is ready.
+struct StartedVulkan {
+  explicit StartedVulkan(const VulkanOptions& options)
+      : instance(options.validate), device(choosePhysicalDevice(instance, options.device)) {}
+  Instance instance;
+  Device device;
+};
+
+struct Start {
+  std::unique_ptr<StartedVulkan> vulkan;
+  double seconds = 0;
+};
+
+Start startVulkan(const VulkanOptions& options) {
+  Start start;
+  const Stopwatch watch(start.seconds);
+  start.vulkan = std::make_unique<StartedVulkan>(options);
+  return start;
+}
+
+}  // namespace
 
 struct Renderer::Impl {
   VulkanOptions options;
-  std::shared_future<std::unique_ptr<StartedVulkan>> vulkan;
+  std::shared_future<Start> start;
 };
 
 Renderer::Renderer(const VulkanOptions& options) : impl_(new Impl{options, {}}) {
-  impl_->vulkan =
+  impl_->start =
       std::async(std::launch::async, [options] { return startVulkan(options); }).share();
 }
 
 Renderer::~Renderer() = default;
 
-Image Renderer::render(const Scene& scene, const RenderOptions& options, Stats& stats) {
+Rendered Renderer::render(const Scene& scene, const RenderOptions& options, Stats& stats) {
   FilmState nothing;
   return render(scene, options, nothing, stats);
 }
 
-Image Renderer::render(const Scene& scene, const RenderOptions& options, FilmState& state,
-                       Stats& stats) {
-  std::vector<Rendering> pictures = renderingsOf(scene, options, impl_->options.generic);
-  if (impl_->options.wholeFilm)
-    for (Rendering& picture : pictures) picture.blackMisses = false;
-  for (const Mesh& mesh : scene.meshes) stats.droppedTriangles += mesh.droppedTriangles;
-  // Beside the building of the tree: the rest of the device's start, and the kernels.
-  auto compiling = std::async(std::launch::async, [&] {
-    const StartedVulkan& vulkan = *impl_->vulkan.get();
-    stats.traversal = traversalOf(scene, vulkan.device.info(), impl_->options.traversal).traversal;
-    const Stopwatch watch(stats.seconds.compile);
-    return compileKernels(vulkan.device, pictures.front().kernel + "_" + stats.traversal,
-                          pictures.front().constants);
-  });
-  const SceneData data = packScene(scene, options, constantsOfAll(pictures));
-  stats.describe(data);
+Rendered Renderer::render(const Scene& scene, const RenderOptions& options, FilmState& state,
+                          Stats& stats) {
+  const Start& start = impl_->start.get();
+  const Device& device = start.vulkan->device;
+  const Choices choices = choose(scene, options, impl_->options, device.info());
 
-  const StartedVulkan& vulkan = *impl_->vulkan.get();
-  const Device& device = vulkan.device;
+  double compileSeconds = 0;
+  auto compiling = std::async(std::launch::async, [&] {
+    const Stopwatch watch(compileSeconds);
+    return compileKernels(device, choices.pictures.front().key, choices.gather,
+                          attributeFormat(choices.uploads));
+  });
+  const Packed packed = pack(scene, options, choices);
+  Observers observers(options.observers);
+  observers.started(device.name());
+  const int width = choices.core.x1 - choices.core.x0, height = choices.core.y1 - choices.core.y0;
+  state.begin(state.keep() == FilmState::Keep::Nothing
+                  ? Settings{}
+                  : settingsOf(scene, packed, choices, device.info()),
+              width, height, scene.sampler.sampleCount);
+
+  Frame frame(device, packed, choices, std::move(compiling));
+  if (impl_->options.poisoned) frame.poison();
+  RenderTimes times;
+  times.adaptive.error = options.error;
+  const Rendered rendered =
+      renderLoop(frame, {scene, options, choices, packed.space, observers}, state, times);
+  start.vulkan->instance.throwIfInvalid();
+
   stats.device = device.name();
   stats.driver = device.driver();
-  stats.seconds.vulkanStart = vulkan.seconds;
-  const Crop core = coreOf(scene, options);
-  const Settings settings = state.keep() == FilmState::Keep::Nothing
-                                ? Settings{}
-                                : settingsOf(scene, data, core, device.info());
-  state.begin(settings, core.x1 - core.x0, core.y1 - core.y0, scene.sampler.sampleCount);
-  const RenderPlan plan =
-      planRender(device.limits(), scene, options, data.constants[shared::SPEC_APRON],
-                 impl_->options.samplesInFlight);
-  stats.samplesAPass = plan.samplesAPass;
-  stats.samples = 0;
-  stats.reached = {};
-  stats.adaptive = {options.error};
-  std::optional<Passes> passes;
-  {
-    const Stopwatch watch(stats.seconds.upload);
-    passes.emplace(device, data, plan, scene, options, stats);
-  }
-  if (impl_->options.poisoned) passes->poison();
-  passes->take(compiling.get());
-  Image image = renderPictures(*passes, {data, plan, scene, options, core}, std::move(pictures),
-                               state, stats);
-  vulkan.instance.throwIfInvalid();
-  return image;
+  stats.seconds.vulkanStart = start.seconds;
+  stats.seconds.compile = compileSeconds;
+  stats.add(scene, choices, packed);
+  stats.add(frame.work(), times, rendered);
+  return rendered;
 }
 
 }  // namespace laver

@@ -6,7 +6,7 @@
 #include "image/image.h"
 #include "render/film_state.h"
 #include "render/stats.h"
-#include "scene/render_options.h"
+#include "render/options.h"
 #include "scene/scene.h"
 
 namespace laver {

@@ -3,11 +3,16 @@
 #include <span>
 
 #include "image/image.h"
+#include "render/packed.h"
 
 namespace laver {
 
-/// The picture's rows from `firstRow` on, from a band's sums (shared::FilmPixel each): rgb /
-/// weight, 0 where no weight fell.
-void resolve(std::span<const std::byte> film, int firstRow, Image& image, unsigned threads);
+/// Weighted means of a film's sums (shared::FilmPixel), into an RGB image from `firstRow` on. Pixels
+/// without weight are 0.
+void resolve(std::span<const std::byte> film, int firstRow, unsigned threads, Image& image);
+
+/// The same for the layers of pixels' centres, from what film/centres.glsl has left in the film.
+void resolveCentres(std::span<const std::byte> film, int firstRow, const Scene& scene,
+                    const Normalisation& space, const RenderOptions& options, Image& image);
 
 }  // namespace laver

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
-#include "render/plan.h"
+#include "render/tiling.h"
 
 namespace laver {
 namespace {
@@ -46,7 +46,7 @@ double varianceIn(std::span<const Image> pilots, Crop area, Crop window) {
   return largest;
 }
 
-std::uint32_t rounded(double samples, std::uint32_t most) {
+std::uint32_t rounded(double samples, std::uint32_t max) {
   if (samples <= kOne) return 1;
   const double steps = std::ceil(std::min(samples, static_cast<double>(most)) / shared::CELL_STEP);
   return std::clamp(static_cast<std::uint32_t>(steps) * shared::CELL_STEP, shared::CELL_STEP, most);
@@ -87,7 +87,7 @@ SampleMap::SampleMap(Crop area, std::uint32_t count)
                   static_cast<std::size_t>(cells_.y1 - cells_.y0),
               count) {}
 
-std::uint32_t SampleMap::most(Crop area) const {
+std::uint32_t SampleMap::max(Crop area) const {
   const Crop c = cellsOf(area);
   std::uint32_t result = 0;
   for (int y = c.y0; y < c.y1; ++y)
@@ -96,10 +96,10 @@ std::uint32_t SampleMap::most(Crop area) const {
   return result;
 }
 
-std::uint64_t SampleMap::samplesOf(Crop area, std::uint32_t most) const {
+std::uint64_t SampleMap::samplesOf(Crop area, std::uint32_t max) const {
   std::uint64_t sum = 0;
   for (int y = area.y0; y < area.y1; ++y)
-    for (int x = area.x0; x < area.x1; ++x) sum += std::min(pixel(x, y), most);
+    for (int x = area.x0; x < area.x1; ++x) sum += std::min(pixel(x, y), max);
   return sum;
 }
 

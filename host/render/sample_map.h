@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "image/image.h"
-#include "scene/render_options.h"
+#include "render/options.h"
 #include "scene/scene.h"
 #include "shared/layout.h"
 
@@ -25,9 +25,9 @@ class SampleMap {
   std::uint32_t pixel(int x, int y) const { return cell(x / kCell, y / kCell); }
 
   /// The largest count of the cells that the pixels of `area` lie in.
-  std::uint32_t most(Crop area) const;
-  /// Samples of the pixels of `area`, counting no more than `most` of each.
-  std::uint64_t samplesOf(Crop area, std::uint32_t most) const;
+  std::uint32_t max(Crop area) const;
+  /// Samples of the pixels of `area`, counting no more than `max` of each.
+  std::uint64_t samplesOf(Crop area, std::uint32_t max) const;
   /// The counts of the cells that a region of pixels lies in, for countAt() of adaptive.glsl.
   std::vector<shared::Count> counts(glm::uvec4 region) const;
 
@@ -57,8 +57,8 @@ Crop pilotArea(Crop area, int width, int height);
 inline constexpr int kPilots = 2;
 std::int64_t pilotSeed(std::int64_t seed, int pilot);
 
-/// The most samples that a pixel may get.
-inline std::uint32_t mostOf(const Sampler& sampler) {
+/// The most samples that a pixel may get by adaptive sampling.
+inline std::uint32_t maxSamplesOf(const Sampler& sampler) {
   return sampler.sampleCount / shared::CELL_STEP * shared::CELL_STEP;
 }
 
@@ -67,11 +67,11 @@ inline std::uint32_t mostOf(const Sampler& sampler) {
 /// mean over the cell and the pixels around it of the channel that is largest, and the error is
 /// relative to the mean where that is above 1. At least a quarter of what each of the eight
 /// neighbours gets, since their features may go on unseen here. 1 in blocks where that has
-/// a sixth of the error in all cells; else CELL_STEP to `most`, in multiples of CELL_STEP.
+/// a sixth of the error in all cells; else CELL_STEP to `max`, in multiples of CELL_STEP.
 ///
 /// The counts depend on the pilots alone, and the pilots are not in the picture, so the counts are
 /// independent of every sample that they weigh: the mean of a cell's samples is unbiased.
-SampleMap decideSamples(std::span<const Image> pilots, Crop area, double error, std::uint32_t most,
+SampleMap decideSamples(std::span<const Image> pilots, Crop area, double error, std::uint32_t max,
                         unsigned threads);
 
 }  // namespace laver

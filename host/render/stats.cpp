@@ -4,51 +4,97 @@
 
 #include <algorithm>
 
-#include "render/attribute_form.h"
-#include "vulkan/buffer.h"
+#include "render/render.h"
 
 namespace laver {
 
-void Stats::describe(const SceneData& data) {
-  triangles = data.triangles;
-  collapsedTriangles = data.collapsedTriangles;
-  nodes = data.bvh.nodes.size();
-  leaves = data.bvh.leaves;
-  depth = data.bvh.depth;
-  stack = data.bvh.stack;
-  sahCost = data.bvh.sahCost;
-  nodeBytes = nodes * sizeof(shared::Node);
-  triangleBytes = data.bvh.triangles.size() * sizeof(shared::Triangle);
-  attributeBytes = data.attributes.size() * texelBytes(attributeFormat(data.constants)) +
-                   data.normals.size() * sizeof(glm::vec4) +
-                   data.materials.size() * sizeof(shared::Material) +
-                   data.textures.size() * sizeof(shared::Texture);
-  imageBytes = data.images.size() * sizeof(data.images[0]);
-  uvBytes = data.uvs.size() * sizeof(data.uvs[0]);
-  seconds.build = data.buildSeconds;
-  const SpecConstants& c = data.constants;
-  if (c[shared::SPEC_HITS] == 0) leftOut.emplace_back("camera rays and the tree: no light");
-  if (c[shared::SPEC_NORMALS] == 0) leftOut.emplace_back("vertex normals: none needed");
-  if (c[shared::SPEC_ALBEDOS] == 0) leftOut.emplace_back("materials: one albedo or none needed");
-  if (c[shared::SPEC_LIGHTS] == 0) leftOut.emplace_back("shadow rays: no light needed");
-  if (c[shared::SPEC_TEXTURES] == 0) leftOut.emplace_back("textures: none needed");
-  if (c[shared::SPEC_BACKGROUND] == shared::BACKGROUND_BLACK)
-    leftOut.emplace_back("background: none needed");
-  if (c[shared::SPEC_SPHERES] == 0) leftOut.emplace_back("spheres: none needed");
-  if (c[shared::SPEC_JUMP_LEVELS] < 3)
-    leftOut.push_back(fmt::format("sampler tables: {} of 3 needed", c[shared::SPEC_JUMP_LEVELS]));
+namespace {
+
+const char* nameOf(ModuleSource source) {
+  switch (source) {
+    case ModuleSource::Embedded:
+      return "embedded";
+    case ModuleSource::Cached:
+      return "cached";
+    case ModuleSource::Compiled:
+      break;
+  }
+  return "compiled";
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+}  // namespace
+
+void Stats::add(const Scene& scene, const Choices& choices, const Packed& packed) {
+  for (const Mesh& mesh : scene.meshes) droppedTriangles += mesh.droppedTriangles;
+  traversal = traversalName(choices.traversal);
+  triangles = packed.triangles;
+  collapsedTriangles = packed.collapsedTriangles;
+  nodes = packed.bvh.nodes.size();
+  leaves = packed.bvh.leaves;
+  depth = packed.bvh.depth;
+  stack = packed.bvh.stack;
+  sahCost = packed.bvh.sahCost;
+  samplesPerPass = choices.tiling.samplesPerPass;
+  for (const DeviceArray& array : arraysOf(packed)) {
+    const std::uint64_t bytes = array.bytes.size();
+    switch (array.binding) {
+      case shared::BIND_NODES:
+        nodeBytes = bytes;
+        break;
+      case shared::BIND_TRIANGLES:
+        triangleBytes = bytes;
+        break;
+      case shared::BIND_UVS:
+        uvBytes = bytes;
+        break;
+      case shared::BIND_IMAGES:
+        imageBytes = bytes;
+        break;
+      case shared::BIND_LIGHTS:
+      case shared::BIND_JUMPS:
+        break;
+      default:
+        attributeBytes += bytes;
+    }
+  }
+  seconds.build = packed.buildSeconds;
+  reasons = choices.reasons;
+}
+
+void Stats::add(const FrameWork& work, const RenderTimes& times, const Rendered& rendered) {
+  passes = work.passes;
+  samples = work.samples;
+  bands = times.bands;
+  coverage = times.coverage;
+  adaptive = times.adaptive;
+  droppedSamples = rendered.droppedSamples;
+  seconds.upload = work.uploadSeconds;
+  seconds.compile += work.compileSeconds;
+  seconds.trace = work.traceSeconds;
+  seconds.reconstruct = work.gatherSeconds;
+  seconds.readBack = times.readBackSeconds;
+  for (const ModuleSource source : work.modules) modules.emplace_back(nameOf(source));
+  if (work.fallback.empty()) return;
+  traversal = traversalName(Traversal::Lane);
+  reasons.push_back({"traversal in the end", traversal, work.fallback, "", 0});
 }
 
 void AdaptiveStats::describe(const SampleMap& map, Crop core, std::uint32_t bound) {
   samples = {core.x1 - core.x0, core.y1 - core.y0, {"samples"}, {}};
   double sum = 0, full = 0;
-  least = bound;
+  min = bound;
   for (int y = core.y0; y < core.y1; ++y)
     for (int x = core.x0; x < core.x1; ++x) {
       const std::uint32_t count = map.pixel(x, y);
       samples.pixels.push_back(static_cast<float>(count));
-      least = std::min(least, count);
-      most = std::max(most, count);
+      min = std::min(min, count);
+      max = std::max(max, count);
       sum += count;
       full += count == bound ? 1 : 0;
     }
@@ -56,7 +102,25 @@ void AdaptiveStats::describe(const SampleMap& map, Crop core, std::uint32_t boun
   atBound = full / static_cast<double>(samples.pixels.size());
 }
 
+std::string textOf(const Reason& reason) {
+  std::string text = fmt::format("{:<21}{}: {}", reason.what, reason.choice, reason.why);
+  std::string saving;
+  if (reason.bytesNotUploaded != 0) saving = fmt::format("{} bytes", reason.bytesNotUploaded);
+  if (!reason.saving.empty()) saving += (saving.empty() ? "" : ", ") + reason.saving;
+  return text + (saving.empty() ? "\n" : fmt::format("; saves {}\n", saving));
+}
+
+nlohmann::json jsonOf(const Reason& reason) {
+  return {{"what", reason.what},
+          {"decision", reason.choice},
+          {"reason", reason.why},
+          {"saving", reason.saving},
+          {"bytesNotUploaded", reason.bytesNotUploaded}};
+}
+
 nlohmann::json Stats::json() const {
+  nlohmann::json choices = nlohmann::json::array();
+  for (const Reason& reason : reasons) choices.push_back(jsonOf(reason));
   return {{"device", device},
           {"driver", driver},
           {"traversal", traversal},
@@ -88,19 +152,20 @@ nlohmann::json Stats::json() const {
           {"samples",
            {{"total", samples},
             {"dropped", droppedSamples},
-            {"perPass", samplesAPass},
+            {"perPass", samplesPerPass},
             {"passes", passes},
             {"bands", bands},
-            {"seen", seen}}},
+            {"seen", coverage}}},
           {"adaptive",
            {{"error", adaptive.error},
             {"pilotSamples", adaptive.pilotSamples},
             {"averageSamples", adaptive.average},
-            {"leastSamples", adaptive.least},
-            {"mostSamples", adaptive.most},
+            {"leastSamples", adaptive.min},
+            {"mostSamples", adaptive.max},
             {"shareAtBound", adaptive.atBound}}},
           {"peakBytes", peakBytes},
-          {"leftOut", leftOut}};
+          {"kernels", modules},
+          {"choices", choices}};
 }
 
 std::string Stats::text() const {
@@ -117,16 +182,16 @@ std::string Stats::text() const {
     out += fmt::format(", pictures {}, texture coordinates {}", imageBytes, uvBytes);
   out += '\n';
   out += fmt::format("samples      {} in {} passes of {} a pixel, {} bands, {} dropped\n", samples,
-                     passes, samplesAPass, bands, droppedSamples);
-  if (seen < 1.0)
+                     passes, samplesPerPass, bands, droppedSamples);
+  if (coverage < 1.0)
     out +=
-        fmt::format("film         {:.1f} % of it sees nothing, and is neither traced nor summed\n",
-                    100.0 * (1.0 - seen));
+        fmt::format("film         {:.1f} % of it sees no geometry, and is neither traced nor filtered\n",
+                    100.0 * (1.0 - coverage));
   if (adaptive.error > 0.0)
     out += fmt::format(
         "adaptive     error {}: {:.2f} samples a pixel, {} to {}, {:.2f} % of the pixels at the "
         "bound; {} pilot samples\n",
-        adaptive.error, adaptive.average, adaptive.least, adaptive.most, 100.0 * adaptive.atBound,
+        adaptive.error, adaptive.average, adaptive.min, adaptive.max, 100.0 * adaptive.atBound,
         adaptive.pilotSamples);
   out += fmt::format(
       "time         Vulkan start {}, load {}, build {}, upload {}, compile {}, trace {}, "
@@ -136,7 +201,8 @@ std::string Stats::text() const {
       ms(seconds.write), ms(seconds.total));
   out += fmt::format("memory       {:.0f} MiB at the peak\n",
                      static_cast<double>(peakBytes) / 1048576.0);
-  for (const auto& line : leftOut) out += fmt::format("left out     {}\n", line);
+  out += fmt::format("kernels      {}\n", joined(modules));
+  for (const Reason& reason : reasons) out += textOf(reason);
   return out;
 }
 

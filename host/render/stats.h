@@ -2,26 +2,32 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "image/image.h"
+#include "render/packed.h"
+#include "render/rendered.h"
 #include "render/sample_map.h"
-#include "render/scene_data.h"
 
 namespace laver {
+
+struct FrameWork;
+struct RenderTimes;
 
 /// What adaptive sampling did; error 0 is none.
 struct AdaptiveStats {
   double error = 0;                ///< wanted
   std::uint64_t pilotSamples = 0;  ///< traced to decide, and not in the picture
-  double average = 0;              ///< samples a pixel, without the pilots'
-  std::uint32_t least = 0, most = 0;
+  double average = 0;              ///< samples per pixel, without the pilots'
+  std::uint32_t min = 0, max = 0;
   double atBound = 0;  ///< share of pixels that were given all that --spp allows
   Image samples;       ///< samples of each pixel; channel `samples`
 
   void describe(const SampleMap& map, Crop core, std::uint32_t bound);
 };
 
-/// What --stats tells. Seconds are of the host's clock; parts that run side by side overlap.
+/// What --stats tells of a render, made of what happened. Seconds are of the host's clock; parts that
+/// run side by side overlap.
 struct Stats {
   struct Seconds {
     double vulkanStart = 0, load = 0, build = 0, upload = 0, compile = 0, trace = 0;
@@ -33,17 +39,22 @@ struct Stats {
   std::uint64_t imageBytes = 0, uvBytes = 0;
   std::uint32_t depth = 0, stack = 0;
   double sahCost = 0;
-  std::uint32_t passes = 0, bands = 0, samplesAPass = 0;
+  std::uint32_t passes = 0, bands = 0, samplesPerPass = 0;
   std::uint64_t samples = 0, droppedSamples = 0;
-  double seen = 1;  ///< share of the pixels that may see something; the others are black untraced
-  Reached reached;
+  double coverage = 1;  ///< share of the pixels that the scene covers; others are black untraced
   AdaptiveStats adaptive;
   std::uint64_t peakBytes = 0;  ///< of the process, the driver's memory on a CPU device included
-  std::vector<std::string> leftOut;  ///< what the kernels do without, and why
+  std::vector<std::string> modules;  ///< of each kernel: embedded, cached or compiled
+  std::vector<Reason> reasons;       ///< of what was chosen
 
-  void describe(const SceneData& data);
+  void add(const Scene& scene, const Choices& choices, const Packed& packed);
+  void add(const FrameWork& work, const RenderTimes& times, const Rendered& rendered);
   nlohmann::json json() const;
   std::string text() const;
 };
+
+/// One line of --stats and `laver plan`.
+std::string textOf(const Reason& reason);
+nlohmann::json jsonOf(const Reason& reason);
 
 }  // namespace laver

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "render/plan.h"
+#include "render/tiling.h"
 
 namespace laver {
 namespace {
@@ -25,13 +25,13 @@ WorkRange rangeFrom(std::size_t first, std::size_t together, std::vector<shared:
 
 /// Samples that the pass has of those that a place with `count` gets.
 std::uint32_t samplesOf(const shared::Pass& pass, std::uint32_t count) {
-  return count <= pass.samples.x ? 0 : std::min(count - pass.samples.x, pass.samples.y);
+  return count <= pass.firstSample ? 0 : std::min(count - pass.firstSample, pass.sampleCount);
 }
 
 }  // namespace
 
 WorkRange listTracing(const SampleMap& map, const shared::Pass& pass, std::uint32_t shift,
-                      const Footprint& needed, std::vector<shared::Work>& list) {
+                      const Coverage& needed, std::vector<shared::Work>& list) {
   const std::size_t start = list.size();
   if (shift > 4) return {};
   const std::uint32_t side = 8U >> shift / 2, together = 1U << shift;
@@ -60,14 +60,14 @@ WorkRange listTracing(const SampleMap& map, const shared::Pass& pass, std::uint3
 }
 
 WorkRange listGathering(const SampleMap& map, const shared::Pass& pass, std::uint32_t apron,
-                        const Footprint& gathered, Footprint& needed,
+                        const Coverage& gathered, Coverage& needed,
                         std::vector<shared::Work>& list) {
   constexpr std::uint32_t kColumns = shared::STRIP_COLUMNS, kRows = shared::STRIP_ROWS;
   constexpr std::uint32_t kTogether = shared::GATHER_GROUP / kColumns;
   const std::size_t start = list.size();
   const Crop region = cropOf(pass.region);
   const int reach = static_cast<int>(apron);
-  // A strip may begin up to kColumns - 1 columns before (gather.comp).
+  // A strip may begin up to kColumns - 1 columns before (film/gather.glsl).
   const std::uint32_t end = pass.core.z + kColumns - 1;
   for (std::uint32_t row = 0; row * kRows < pass.core.w; ++row)
     for (std::uint32_t column = 0; column * kColumns < end; ++column) {
@@ -79,7 +79,7 @@ WorkRange listGathering(const SampleMap& map, const shared::Pass& pass, std::uin
       const Crop taken{std::max(strip.x0 - reach, region.x0), std::max(strip.y0 - reach, region.y0),
                        std::min(strip.x1 + reach, region.x1),
                        std::min(strip.y1 + reach, region.y1)};
-      const std::uint32_t samples = samplesOf(pass, map.most(taken));
+      const std::uint32_t samples = samplesOf(pass, map.max(taken));
       if (samples == 0) continue;
       list.push_back({column, row, samples, 0});
       needed.add(taken);

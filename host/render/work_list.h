@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "render/footprint.h"
+#include "render/coverage.h"
 #include "render/sample_map.h"
 
 namespace laver {
@@ -15,12 +15,12 @@ struct WorkRange {
 /// cell's samples as go by 16, the rest by 4, and those of a block of cells that have one by 1.
 /// Cells without a pixel that is `needed` are left out.
 WorkRange listTracing(const SampleMap& map, const shared::Pass& pass, std::uint32_t shift,
-                      const Footprint& needed, std::vector<shared::Work>& list);
+                      const Coverage& needed, std::vector<shared::Work>& list);
 
 /// Lists the strips of the core that have pixels in `gathered` and that samples of a pass reach.
 /// Adds what these take samples of to `needed`.
 WorkRange listGathering(const SampleMap& map, const shared::Pass& pass, std::uint32_t apron,
-                        const Footprint& gathered, Footprint& needed,
+                        const Coverage& gathered, Coverage& needed,
                         std::vector<shared::Work>& list);
 
 }  // namespace laver

@@ -1,15 +1,9 @@
 #include "vulkan/kernel.h"
 
-#include "vulkan/spirv.h"
-
 namespace laver {
 
-Kernel::Kernel(const Device& device, const Bindings& bindings, const std::string& name,
-               std::span<const std::uint32_t> constants, std::uint32_t pushBytes)
-    : Kernel(device, bindings, spirvOf(name), constants, pushBytes) {}
-
 Kernel::Kernel(const Device& device, const Bindings& bindings, std::span<const std::uint32_t> spirv,
-               std::span<const std::uint32_t> constants, std::uint32_t pushBytes) {
+               std::uint32_t pushBytes) {
   VkShaderModuleCreateInfo moduleInfo{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
   moduleInfo.codeSize = spirv.size_bytes();
   moduleInfo.pCode = spirv.data();
@@ -30,17 +24,11 @@ Kernel::Kernel(const Device& device, const Bindings& bindings, std::span<const s
         "vkCreatePipelineLayout");
   layout_ = {device.get(), layout, vkDestroyPipelineLayout};
 
-  std::vector<VkSpecializationMapEntry> entries;
-  for (std::uint32_t i = 0; i < constants.size(); ++i) entries.push_back({i, i * 4, 4});
-  const VkSpecializationInfo specialisation{static_cast<std::uint32_t>(entries.size()),
-                                            entries.data(), constants.size_bytes(),
-                                            constants.data()};
   VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
   info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
   info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
   info.stage.module = shader.get();
   info.stage.pName = "main";
-  info.stage.pSpecializationInfo = &specialisation;
   info.layout = layout;
   VkPipeline pipeline = VK_NULL_HANDLE;
   check(
@@ -58,15 +46,6 @@ void Kernel::dispatch(VkCommandBuffer commands, const Bindings& bindings,
   vkCmdPushConstants(commands, layout_.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0,
                      static_cast<std::uint32_t>(push.size()), push.data());
   vkCmdDispatch(commands, groups[0], groups[1], groups[2]);
-}
-
-void computeBarrier(VkCommandBuffer commands) {
-  VkMemoryBarrier barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER};
-  barrier.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
-  barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT;
-  vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
-                       VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, 0, 1, &barrier, 0, nullptr, 0,
-                       nullptr);
 }
 
 }  // namespace laver

@@ -2,7 +2,7 @@
 // boxes that the host has grown by an ulp, with the origin moved sideways by a pad.
 #ifndef LAVER_SHARED_BOX_H
 #define LAVER_SHARED_BOX_H
-#include "triangle.h"
+#include "shared/triangle.h"
 
 LAVER_SHARED_BEGIN
 

@@ -2,7 +2,7 @@
 // intersect that exist for the chart alone.
 #ifndef LAVER_SHARED_CHARTED_H
 #define LAVER_SHARED_CHARTED_H
-#include "types.h"
+#include "shared/types.h"
 
 LAVER_SHARED_BEGIN
 

@@ -3,7 +3,7 @@
 // the direction.
 #ifndef LAVER_SHARED_DIRECTION_H
 #define LAVER_SHARED_DIRECTION_H
-#include "point.h"
+#include "shared/point.h"
 
 LAVER_SHARED_BEGIN
 

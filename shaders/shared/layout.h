@@ -1,7 +1,7 @@
-// Every struct, binding number and constant that crosses the border of host and device.
+// Every struct, binding number and constant that host and device share.
 #ifndef LAVER_SHARED_LAYOUT_H
 #define LAVER_SHARED_LAYOUT_H
-#include "types.h"
+#include "shared/types.h"
 
 LAVER_SHARED_BEGIN
 
@@ -9,81 +9,27 @@ LAVER_SHARED_BEGIN
 LAVER_CONST uint BIND_PARAMS = 0;      // U Params
 LAVER_CONST uint BIND_NODES = 1;       // T Node
 LAVER_CONST uint BIND_TRIANGLES = 2;   // T Triangle
-LAVER_CONST uint BIND_ATTRIBUTES = 3;  // T Attributes, or their smaller form, one a triangle
-LAVER_CONST uint BIND_NORMALS = 4;     // T vec4, one a vertex normal
-LAVER_CONST uint BIND_MATERIALS = 5;   // T Material
+LAVER_CONST uint BIND_ATTRIBUTES = 3;  // T Attributes, or their smaller form, one per triangle
+LAVER_CONST uint BIND_NORMALS = 4;     // T vec4, one per vertex normal
+LAVER_CONST uint BIND_MATERIALS = 5;   // T Material, one per mesh
 LAVER_CONST uint BIND_LIGHTS = 6;      // T Light
 LAVER_CONST uint BIND_JUMPS = 7;       // T Jump
-LAVER_CONST uint BIND_SAMPLES = 8;     // S vec4, one a sample: r, g, b, x in its pixel or DROPPED
-LAVER_CONST uint BIND_SAMPLES_Y = 9;   // S float, one a sample: y in its pixel
+LAVER_CONST uint BIND_SAMPLES = 8;     // S vec4, one per sample: r, g, b, x in its pixel or DROPPED
+LAVER_CONST uint BIND_SAMPLES_Y = 9;   // S float, one per sample: y in its pixel
 LAVER_CONST uint BIND_FILM = 10;       // S FilmPixel
 LAVER_CONST uint BIND_STATUS = 11;     // S Status
 LAVER_CONST uint BIND_SAMPLE_TEXELS = 12;    // T of vec4: the samples, for reading
 LAVER_CONST uint BIND_SAMPLE_Y_TEXELS = 13;  // T of vec4: y of four samples
 LAVER_CONST uint BIND_COUNTS = 14;  // T Count, of the cells of the region; adaptive sampling only
 LAVER_CONST uint BIND_WORK = 15;    // T Work; adaptive sampling only
-LAVER_CONST uint BIND_TEXTURES = 16;      // T Texture, one a material
+LAVER_CONST uint BIND_TEXTURES = 16;      // T Texture, one per material
 LAVER_CONST uint BIND_UVS = 17;           // T of uvec2: u, v of each corner of textured triangles
-LAVER_CONST uint BIND_IMAGES = 18;        // T of uint: pixels of all pictures, and their tables
+LAVER_CONST uint BIND_IMAGES = 18;        // T of uint: pixels of all images, and their tables
 LAVER_CONST uint BINDINGS = 19;
 
-// Specialisation constants: what the scene needs (shaders/*.glsl say what each leaves out).
-LAVER_CONST uint SPEC_STACK = 0;         // entries of the traversal stack
-LAVER_CONST uint SPEC_NORMALS = 1;       // some mesh has vertex normals
-LAVER_CONST uint SPEC_ALBEDOS = 2;       // the meshes differ in albedo
-LAVER_CONST uint SPEC_LIGHTS = 3;        // LIGHTS_*
-LAVER_CONST uint SPEC_JUMP_LEVELS = 4;   // tables that `independent` needs, 1 to 3
-LAVER_CONST uint SPEC_FILTER = 5;        // FILTER_*
-LAVER_CONST uint SPEC_APRON = 6;         // pixels on each side that a sample can reach
-LAVER_CONST uint SPEC_NORI_TABLE = 7;    // filter weights from Nori's table
-LAVER_CONST uint SPEC_SAMPLER = 8;       // SAMPLER_*
-LAVER_CONST uint SPEC_ADAPTIVE = 9;      // cells have sample counts of their own (adaptive.glsl)
-LAVER_CONST uint SPEC_TEXTURES = 10;     // TEXTURES_* that some mesh shows
-LAVER_CONST uint SPEC_IMAGES = 11;       // IMAGES_* that a texture or the background has
-LAVER_CONST uint SPEC_BACKGROUND = 12;   // BACKGROUND_*
-LAVER_CONST uint SPEC_HITS = 13;         // what rays hit or miss shows; else none is traced
-LAVER_CONST uint SPEC_DARK_SIDES = 14;   // shadow rays even where n.l <= 0: never needed
-LAVER_CONST uint SPEC_INDEX_BYTES = 15;  // of an index in Attributes: 1, 2 or 4; the host's alone
-LAVER_CONST uint SPEC_SPHERES = 16;      // some mesh is a sphere; names the kernel
-LAVER_CONST uint SPEC_CONSTANTS = 17;
-
-LAVER_CONST uint FILTER_GAUSSIAN = 0;
-LAVER_CONST uint FILTER_MITCHELL = 1;
-LAVER_CONST uint FILTER_TENT = 2;
-LAVER_CONST uint FILTER_BOX = 3;
-LAVER_CONST uint FILTER_GAUSSIAN_NARROW = 4;  // whose weights filter.glsl makes by products
-LAVER_CONST uint FILTERS = 5;
-LAVER_CONST uint FILTER_AT_RUN_TIME = 5;      // the one in params.filterArgs.w
-
-LAVER_CONST uint SAMPLER_INDEPENDENT = 0;
-LAVER_CONST uint SAMPLER_STRATIFIED = 1;
-LAVER_CONST uint SAMPLER_SOBOL = 2;
-
-// The scene's lights: none, so few that one dispatch looks at all, or more. Those are summed in
-// further dispatches, so that an invocation stays far below lavapipe's 65,535 loop iterations.
-LAVER_CONST uint LIGHTS_NONE = 0;
-LAVER_CONST uint LIGHTS_FEW = 1;
-LAVER_CONST uint LIGHTS_MANY = 2;
-LAVER_CONST uint LIGHTS_A_DISPATCH = 8;
-
-// Bits.
-LAVER_CONST uint TEXTURES_CHECKER = 1;
-LAVER_CONST uint TEXTURES_IMAGE = 2;
-LAVER_CONST uint IMAGES_BYTES = 1;   // a pixel is one word: r | g << 8 | b << 16
-LAVER_CONST uint IMAGES_FLOATS = 2;  // a pixel is three words
-LAVER_CONST uint BACKGROUND_BLACK = 0;
-LAVER_CONST uint BACKGROUND_CONSTANT = 1;
-LAVER_CONST uint BACKGROUND_IMAGE = 2;
-
-// What plain scenes need, with any sampler or filter, with or without vertex normals and differing
-// albedos. Kernels with these values built in (LAVER_PLAIN) take drivers less time to compile than
-// kernels that leave the same code out.
-LAVER_CONST uint PLAIN[SPEC_CONSTANTS] = {
-    64u, 0u, 0u, LIGHTS_FEW, 1u,                              // from SPEC_STACK
-    FILTER_GAUSSIAN_NARROW, 2u, 0u, SAMPLER_INDEPENDENT, 0u,  // from SPEC_FILTER
-    0u, 0u, BACKGROUND_BLACK, 1u, 0u, 4u, 0u};                // from SPEC_TEXTURES
-// SPEC_APRON for the filters as Nori sets them; none for FILTER_GAUSSIAN, which Nori's is not.
-LAVER_CONST uint PLAIN_APRON[FILTERS] = {0xffffffffu, 2u, 1u, 1u, 2u};
+// A dispatch sums at most this many lights, so that an invocation stays far below lavapipe's 65,535 loop
+// iterations.
+LAVER_CONST uint LIGHTS_PER_DISPATCH = 8;
 
 LAVER_CONST uint GATHER_GROUP = 64;  // columns
 LAVER_CONST uint SLOT_COLUMNS = 8;   // pixels of a row whose samples are stored together
@@ -93,7 +39,7 @@ LAVER_CONST uint GATHER_SAMPLES = 8;
 // Where the position of a sample that is left out stands: no filter reaches it.
 LAVER_CONST float DROPPED = 1e6f;
 
-// Loop iterations that one invocation is given to do; lavapipe stops without a word at 65,535.
+// Loop iterations that the host gives one invocation to do; lavapipe cuts loops short at 65,535.
 LAVER_CONST uint MAX_ITERATIONS = 60000;
 
 // A child reference: REF_NONE, a node's index, or of a leaf
@@ -144,22 +90,22 @@ struct Attributes {
   uint normalA, normalB, normalC;
 };
 
+// What a mesh is made of. 2 texels.
 struct Material {
   vec3 albedo;
-  float pad;
+  uint bsdf;     // which of the BSDFs of the kernel's key
+  vec4 numbers;  // the BSDF's float properties
 };
 
 // Pixels from `first` on, rows from the top. Those of bytes stand for the floats that `table` has
 // for each of 256 values; NO_TABLE: the pixels are floats.
 LAVER_CONST uint NO_TABLE = 0xffffffffu;
-struct Picture {
+struct ImageRef {
   uint first, width, height, table;
 };
 
 // What a material shows at (s, t) = uv * scale + offset. 4 texels.
-LAVER_CONST uint TEXTURE_NONE = 0;  // color1
-LAVER_CONST uint TEXTURE_CHECKER = 1;
-LAVER_CONST uint TEXTURE_IMAGE = 2;  // color1 times the picture
+LAVER_CONST uint TEXTURE_NONE = 0;  // color1; else 1 + which of the textures of the kernel's key
 struct Texture {
   vec3 color1;
   uint kind;
@@ -167,7 +113,7 @@ struct Texture {
   uint uvs;  // triangle `id` has the texels 3 * (id + uvs) to + 2, for its corners as stored
   vec2 scale;
   vec2 offset;
-  Picture picture;
+  ImageRef image;
 };
 
 struct Light {
@@ -209,36 +155,60 @@ struct Work {
 
 // std140: rows of 16 bytes.
 struct Params {
-  vec4 origin;     // camera, normalised space; how far slopes of rays that walk together may differ
-  vec4 columnX;    // ray direction = columnX * (width - 2 px) + columnY * (height - 2 py) + columnZ
-  vec4 columnY;
-  vec4 columnZ;
-  vec4 clip;       // tmin, tmax, 1 / scale of space, how far av looks
-  vec4 albedo;     // of all meshes, where they agree
-  uvec4 film;      // width, height, samples a pixel, reference of the root
-  uvec4 seed;      // low, high; hash of both, half a step of the sample grid in 2^-32 pixels
+  vec3 origin;           // of the camera, normalised space
+  float packetWindow;    // how far the slopes of rays that walk together may differ
+  vec3 columnX;          // ray direction = columnX * (width - 2 px) + columnY * (height - 2 py) + columnZ
+  float tmin;
+  vec3 columnY;
+  float tmax;
+  vec3 columnZ;
+  float sceneUnits;      // scene units per unit of normalised space
+  vec3 albedo;           // of all meshes, where they agree
+  uint root;             // reference of the root
+  uvec2 filmSize;        // width, height
+  uint sampleCount;      // per pixel
+  uint halfStep;         // half a step of the sample grid, in 2^-32 pixels
+  uvec2 seed;            // low, high
+  uint seedHash;         // of both
+  float filterRadius;    // pixels
   // independent: first texel of the tables by sample (low, high part), samples of the low part;
   // stratified: strata along y, size of a stratum along x and y in 2^-32 pixels
-  uvec4 samplerArgs;
-  vec4 filterArgs; // radius, two numbers that filter.glsl explains, FILTER_*
-  vec4 table[9];   // Nori's table, 33 entries, or for FILTER_GAUSSIAN_NARROW exp(alpha k^2)
-  vec4 background[3];  // rows of the matrix from the world to the picture's space; w: radiance
-  Picture backgroundPicture;
+  uvec4 samplerArguments;
+  vec4 properties;       // of the integrator, in the order of its row; lengths in normalised space
+  vec2 filterShape;      // as the filter's text explains
+  vec2 pad;
+  vec4 filterTable[9];   // filter/table.glsl: 33 entries; filter/gaussian_narrow.glsl: exp(alpha k^2)
+  vec3 backgroundX;      // rows of the matrix from the world to the background image's space
+  float pad0;
+  vec3 backgroundY;
+  float pad1;
+  vec3 backgroundZ;
+  float pad2;
+  vec3 backgroundRadiance;
+  float pad3;
+  ImageRef backgroundImage;
 };
 
-// Push constants of both kernels.
+// Push constants of both kernels. Booleans are 0 or 1.
 struct Pass {
-  uvec4 region;  // x, y, width, height in film pixels: what is traced, apron included
-  uvec4 core;    // x, y, width, height in film pixels: what is reconstructed
-  uvec4 samples; // first, count
-  uvec4 tiles;   // trace: rows, stride that permutes them, log2 of samples side by side, first
-                 // sample of the dispatch; gather: rows of pixels an invocation. Adaptive: w is
-                 // the first Work of the dispatch
-  uvec4 lights;  // first, count, 1 in the first dispatch of a pass, 1 in the last
-  uvec4 part;    // first x and y, end of x and y: what of the region is traced, of the core gathered
+  uvec4 region;         // x, y, width, height in film pixels: what is traced, apron included
+  uvec4 core;           // x, y, width, height in film pixels: what is reconstructed
+  uvec4 part;           // first x and y, end of x and y: what of the region is traced, of the core gathered
+  uint firstSample;
+  uint sampleCount;     // of a pixel in this pass
+  uint sideShift;       // trace: log2 of a pixel's samples that a workgroup traces side by side
+  uint dispatchSample;  // trace: first sample of the dispatch, in the pass
+  uint tileRows;        // trace: rows of tiles
+  uint rowStride;       // trace: stride that permutes them
+  uint stripRows;       // gather: rows of pixels per invocation
+  uint firstWork;       // adaptive: the first Work of the dispatch
+  uint firstLight;
+  uint lightCount;
+  uint firstDispatch;   // of the pass, where its lights take several
+  uint lastDispatch;
 };
 
-// Compensated sums: value = sum + rest. rgb weighted radiance, a weight. From centres.comp: sum =
+// Compensated sums: value = sum + rest. rgb weighted radiance, a weight. From film/centres.glsl: sum =
 // position in normalised space, distance in scene units, 0 for no hit; rest = weights of the second
 // and third corner as stored, or a sphere's u and v; number of the triangle as its low and its high
 // 16 bits, which floats hold exactly.
@@ -257,12 +227,12 @@ static_assert(sizeof(Child) == 32 && offsetof(Child, hi) == 16);
 static_assert(sizeof(Node) == 256);
 static_assert(sizeof(Triangle) == 48 && offsetof(Triangle, c) == 32);
 static_assert(sizeof(Attributes) == 16);
-static_assert(sizeof(Material) == 16);
-static_assert(sizeof(Texture) == 64 && offsetof(Texture, picture) == 48);
+static_assert(sizeof(Material) == 32);
+static_assert(sizeof(Texture) == 64 && offsetof(Texture, image) == 48);
 static_assert(sizeof(Light) == 32 && offsetof(Light, radiance) == 16);
 static_assert(sizeof(Jump) == 16);
 static_assert(sizeof(Count) == 16 && sizeof(Work) == 16);
-static_assert(sizeof(Params) == 368 && offsetof(Params, film) == 96);
+static_assert(sizeof(Params) == 384 && offsetof(Params, filmSize) == 80);
 static_assert(sizeof(Pass) == 96);
 static_assert(sizeof(FilmPixel) == 32);
 static_assert(sizeof(Status) == 8);

@@ -2,7 +2,7 @@
 // kernels and, as C++, for the tests.
 #ifndef LAVER_SHARED_POINT_H
 #define LAVER_SHARED_POINT_H
-#include "triangle.h"
+#include "shared/triangle.h"
 
 LAVER_SHARED_BEGIN
 

@@ -2,8 +2,8 @@
 // dominant axis, so that one walk, one set of boxes and one rule for ties serve both.
 #ifndef LAVER_SHARED_SPHERE_H
 #define LAVER_SHARED_SPHERE_H
-#include "box.h"
-#include "point.h"
+#include "shared/box.h"
+#include "shared/point.h"
 
 LAVER_SHARED_BEGIN
 

@@ -5,7 +5,7 @@
 // and a sum, the correction is zero and both triangles of an edge still round alike.
 #ifndef LAVER_SHARED_TRIANGLE_H
 #define LAVER_SHARED_TRIANGLE_H
-#include "types.h"
+#include "shared/types.h"
 
 LAVER_SHARED_BEGIN
 

@@ -1,0 +1,63 @@
+#include "kernels/modules.h"
+
+#include <algorithm>
+
+#include "kernels/cache.h"
+#include "kernels/compose.h"
+
+namespace laver {
+
+std::vector<std::string> commonKernels() {
+  std::vector<std::string> texts;
+  TraceKey whitted;
+  whitted.integrator = "direct_whitted";
+  whitted.bsdfs = {"diffuse"};
+  whitted.lights = true;
+  whitted.jumpLevels = 2;
+  for (const Traversal traversal : {Traversal::Packet32, Traversal::Packet64})
+    for (const bool normals : {false, true})
+      for (const bool materials : {false, true}) {
+        TraceKey key = whitted;
+        key.traversal = traversal;
+        key.normals = normals;
+        key.materials = materials;
+        texts.push_back(compose(key));
+      }
+  for (const char* integrator : {"normals", "depth", "ao"}) {
+    TraceKey key;
+    key.integrator = integrator;
+    key.bsdfs = {"diffuse"};
+    key.jumpLevels = 2;
+    key.traversal = Traversal::Packet32;
+    texts.push_back(compose(key));
+  }
+  struct Reconstruction {
+    const char* filter;
+    std::uint32_t apron;
+  };
+  for (const Reconstruction r : {Reconstruction{"gaussian_narrow", 2}, Reconstruction{"mitchell", 2},
+                                 Reconstruction{"tent", 1}, Reconstruction{"box", 1}}) {
+    GatherKey key;
+    key.filter = r.filter;
+    key.apron = r.apron;
+    key.strips = true;
+    texts.push_back(compose(key));
+  }
+  return texts;
+}
+
+Module moduleOf(const std::string& text) {
+  const std::string hash = hashOfKernel(text);
+  const auto modules = embeddedModules();
+  const auto found = std::find_if(modules.begin(), modules.end(),
+                                  [&](const EmbeddedModule& m) { return m.hash == hash; });
+  if (found != modules.end())
+    return {Spirv(found->words.begin(), found->words.end()), ModuleSource::Embedded};
+  const KernelCache cache = KernelCache::ofUser();
+  if (auto kept = cache.read(hash)) return {std::move(*kept), ModuleSource::Cached};
+  Module module{compileGlsl(text, Effort::Quick), ModuleSource::Compiled};
+  cache.write(hash, module.words);
+  return module;
+}
+
+}  // namespace laver

@@ -1,0 +1,33 @@
+#pragma once
+#include <span>
+
+#include "kernels/compile.h"
+#include "kernels/keys.h"
+
+namespace laver {
+
+/// A module that was composed and compiled when laver was built.
+struct EmbeddedModule {
+  const char* hash;  ///< hashOfKernel
+  std::span<const std::uint32_t> words;
+};
+
+/// Written by host/kernels/embed.cpp, or none in a program that is linked without it.
+std::span<const EmbeddedModule> embeddedModules();
+
+/// The kernels that most renders need.
+std::vector<std::string> commonKernels();
+
+/// Where a module came from.
+enum class ModuleSource { Embedded, Cached, Compiled };
+
+struct Module {
+  Spirv words;
+  ModuleSource source;
+};
+
+/// The module of a composed text: embedded, or kept from an earlier run, or compiled now and kept.
+/// Throws as compileGlsl does.
+Module moduleOf(const std::string& text);
+
+}  // namespace laver

@@ -1,0 +1,258 @@
+#include "render/choices.h"
+
+#include <algorithm>
+
+#include "render/reasons.h"
+#include "render/renderer.h"
+#include "render/sample_map.h"
+#include "render/sampler_data.h"
+#include "render/traversal.h"
+#include "scene/layers.h"
+
+namespace laver {
+namespace {
+
+/// Entries that suffice for the trees of tens of thousands to a million triangles (48 to 63).
+constexpr std::uint32_t kLikelyStack = 64;
+
+/// A stack never holds more subtrees than there are primitives.
+std::uint32_t likelyStack(const Scene& scene) {
+  return static_cast<std::uint32_t>(
+      std::clamp<std::uint64_t>((primitivesOf(scene) + 7) / 8 * 8, 8, kLikelyStack));
+}
+
+/// GLSL file of a filter's weights.
+std::string filterText(const Filter& filter, bool noriTable) {
+  if (noriTable) return "table";
+  if (!filter.row->products) return filter.row->name;
+  // exp(alpha * apron) and its inverse must stay far from the range of floats.
+  const double alpha = 0.5 / (filter.stddev * filter.stddev);
+  const std::uint32_t apron = apronOf(filter.radius);
+  return apron <= 8 && alpha * apron <= 60.0 ? std::string(filter.row->name) + "_narrow"
+                                             : filter.row->name;
+}
+
+void addOnce(std::vector<std::string>& names, const std::string& name) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+std::vector<std::string> bsdfsOf(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const Mesh& mesh : scene.meshes) addOnce(names, mesh.bsdf.row->name);
+  if (names.empty()) names.emplace_back(bsdfRows().front().name);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::vector<std::string> texturesOf(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const Mesh& mesh : scene.meshes)
+    if (shows(mesh.bsdf.texture)) addOnce(names, mesh.bsdf.texture->row->name);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// Whether the meshes' records differ in what a surface shows.
+bool materialsDiffer(const Scene& scene) {
+  const auto& meshes = scene.meshes;
+  return std::any_of(meshes.begin(), meshes.end(), [&](const Mesh& m) {
+    return m.bsdf.row != meshes.front().bsdf.row || m.bsdf.values != meshes.front().bsdf.values ||
+           (m.bsdf.texture && meshes.size() > 1);
+  });
+}
+
+/// A BSDF with properties of its own beside its colour, or several kinds, need records.
+bool needsBsdfRecords(const Scene& scene) {
+  return bsdfsOf(scene).size() > 1 ||
+         std::any_of(scene.meshes.begin(), scene.meshes.end(),
+                     [](const Mesh& m) { return !numbersOf(m.bsdf).empty(); });
+}
+
+void noteImage(const std::shared_ptr<const Picture>& image, TraceKey& key) {
+  if (!image) return;
+  (std::holds_alternative<Bitmap>(*image) ? key.byteImages : key.floatImages) = true;
+}
+
+/// What an integrator needs of surfaces' materials, textures and lights.
+void keyOfShading(const Scene& scene, const IntegratorRow& row, bool surfaces, TraceKey& key) {
+  key.bsdfs = bsdfsOf(scene);
+  key.lights = row.needs.lights && !scene.lights.empty();
+  key.manyLights = key.lights && scene.lights.size() > shared::LIGHTS_PER_DISPATCH;
+  if (row.needs.background && scene.environment) {
+    key.background = scene.environment->image ? "environment" : "constant";
+    noteImage(scene.environment->image, key);
+  }
+  if (!surfaces) return;
+  key.materials = materialsDiffer(scene);
+  key.bsdfRecords = needsBsdfRecords(scene);
+  key.textures = texturesOf(scene);
+  for (const Mesh& mesh : scene.meshes)
+    if (shows(mesh.bsdf.texture)) noteImage(mesh.bsdf.texture->image, key);
+}
+
+TraceKey keyOf(const Scene& scene, const RenderOptions& options, const IntegratorUse& shown) {
+  const IntegratorRow& row = *shown.row;
+  const bool surfaces = shown.source || !row.needs.lights || !scene.lights.empty();
+  TraceKey key;
+  key.integrator = row.name;
+  key.camera = scene.camera.row->name;
+  key.sampler = scene.sampler.row->name;
+  key.stack = likelyStack(scene);
+  if (scene.sampler.row->stream) key.jumpLevels = jumpLevels(scene.sampler.sampleCount);
+  key.hits = surfaces || (row.needs.background && scene.environment);
+  key.spheres = key.hits && hasSpheres(scene);
+  key.normals =
+      surfaces && row.needs.normals &&
+      std::any_of(scene.meshes.begin(), scene.meshes.end(),
+                  [](const Mesh& m) { return !m.normals.empty(); });
+  key.adaptive = options.error > 0.0;
+  key.signedValues = row.needs.negative;
+  if (shades(row)) keyOfShading(scene, row, surfaces, key);
+  addProperties(shown, key);
+  return key;
+}
+
+bool blackMiss(const Scene& scene, const IntegratorRow& row) {
+  return row.miss == Miss::Black || (row.miss == Miss::Background && !scene.environment);
+}
+
+std::vector<PictureChoice> picturesOf(const Scene& scene, const RenderOptions& options) {
+  std::vector<PictureChoice> pictures;
+  const auto add = [&](const IntegratorUse& shown, std::vector<std::string> channels) {
+    pictures.push_back({std::move(channels), keyOf(scene, options, shown), false,
+                        blackMiss(scene, *shown.row), shown});
+  };
+  add(scene.integrator, {"R", "G", "B"});
+  for (Shown& shown : shownBeside(options.more, options.layers))
+    add(useOf(scene, shown.integrator), std::move(shown.channels));
+  std::vector<std::string> centres = centreChannels(options.layers);
+  if (!centres.empty()) {
+    add({&integrators::depth}, std::move(centres));
+    PictureChoice& picture = pictures.back();
+    picture.key.integrator = "centres";
+    picture.key.adaptive = false;
+    picture.centres = true;
+    picture.blackMiss = false;
+  }
+  return pictures;
+}
+
+/// Bytes that hold any index of a triangle's attributes: 1, 2 or 4. Normal 0 is NO_NORMAL.
+std::uint32_t indexBytesOf(const Scene& scene, bool normals) {
+  std::uint64_t last = scene.meshes.size(), vertexNormals = 0;
+  for (const Mesh& mesh : scene.meshes) vertexNormals += mesh.normals.size();
+  if (normals) last = std::max(last, vertexNormals);
+  return last <= 0xff ? 1 : last <= 0xffff ? 2 : 4;
+}
+
+/// Everything that one of the pictures reads.
+Uploads uploadsOf(const Scene& scene, const std::vector<PictureChoice>& pictures, bool noriTable) {
+  Uploads uploads;
+  uploads.primitives = false;
+  for (const PictureChoice& picture : pictures) {
+    const TraceKey& key = picture.key;
+    uploads.primitives |= key.hits;
+    uploads.normals |= key.normals;
+    uploads.attributes |= key.normals || key.materials;
+    uploads.materials |= key.bsdfRecords || (key.materials && key.textures.empty());
+    uploads.textures |= !key.textures.empty();
+    uploads.lights |= key.lights;
+    uploads.background |= key.background != "none";
+  }
+  uploads.bsdfs = bsdfsOf(scene);
+  uploads.textureKinds = texturesOf(scene);
+  uploads.noriTable = noriTable;
+  uploads.indexBytes = indexBytesOf(scene, uploads.normals);
+  return uploads;
+}
+
+Tiling tilingOf(const Scene& scene, const RenderOptions& options, const VulkanOptions& vulkan,
+                const VkPhysicalDeviceLimits& limits, std::uint32_t apron) {
+  const Camera& camera = scene.camera;
+  Crop planned = coreOf(camera, options);
+  if (options.error != 0.0)
+    planned = pilotArea(cropOf(regionOf(planned, apron, camera.width, camera.height)), camera.width,
+                        camera.height);
+  return tile(limits, {planned, camera.width, camera.height, apron, scene.sampler.sampleCount,
+                       vulkan.samplesInFlight, sideBySide(scene)});
+}
+
+}  // namespace
+
+Choices choose(const Scene& scene, const RenderOptions& options, const VulkanOptions& vulkan,
+               const DeviceInfo& device) {
+  Choices choices;
+  const TraversalChoice traversal = traversalOf(scene, device, vulkan.traversal);
+  choices.traversal = traversal.traversal;
+  choices.pictures = picturesOf(scene, options);
+  for (PictureChoice& picture : choices.pictures) {
+    picture.key.traversal = choices.traversal;
+    if (vulkan.wholeFilm) picture.blackMiss = false;
+  }
+  choices.uploads = uploadsOf(scene, choices.pictures, options.noriCompat);
+  choices.gather.filter = filterText(scene.filter, options.noriCompat);
+  choices.gather.apron = apronOf(scene.filter.radius);
+  choices.gather.adaptive = options.error > 0.0;
+  if (!vulkan.general.empty()) choices = generalised(std::move(choices), vulkan.general);
+  // film/gather_strip.glsl takes no wider filters.
+  choices.gather.strips = runsPackets(device) && choices.gather.apron <= 4;
+  choices.core = coreOf(scene.camera, options);
+  choices.tiling =
+      tilingOf(scene, options, vulkan, device.limits, choices.gather.apron);
+  choices.reasons = reasonsOf(scene, options, choices, traversal.why);
+  return choices;
+}
+
+std::uint32_t stackFor(std::uint32_t guess, std::uint32_t needed) {
+  return needed <= guess ? guess : (needed + 15) / 16 * 16;
+}
+
+const std::vector<std::string>& generalParts() {
+  static const std::vector<std::string> parts = {
+      "stack",    "normals", "materials",  "bsdf records", "lights",      "jump levels", "apron",
+      "textures", "images",  "background", "hits",         "index bytes", "spheres"};
+  return parts;
+}
+
+namespace {
+
+void generaliseKey(TraceKey& key, const std::string& part, bool stream) {
+  if (part == "stack") key.stack = std::max(key.stack, kLikelyStack);
+  if (part == "normals") key.normals = true;
+  if (part == "materials") key.materials = true;
+  if (part == "bsdf records") key.bsdfRecords = true;
+  if (part == "lights") key.lights = key.manyLights = true;
+  if (part == "jump levels" && stream) key.jumpLevels = 3;
+  if (part == "textures" && !key.bsdfs.empty()) key.textures = textureNames();
+  if (part == "images") key.byteImages = key.floatImages = true;
+  if (part == "background") key.background = "environment";
+  if (part == "hits") key.hits = true;
+  if (part == "spheres") key.spheres = true;
+}
+
+}  // namespace
+
+Choices generalised(Choices choices, const std::vector<std::string>& parts) {
+  Uploads& uploads = choices.uploads;
+  for (const std::string& part : parts) {
+    for (PictureChoice& picture : choices.pictures)
+      generaliseKey(picture.key, part, picture.key.jumpLevels != 0);
+    if (part == "normals") {
+      uploads.normals = uploads.attributes = true;
+      uploads.indexBytes = 4;
+    }
+    if (part == "materials") uploads.attributes = true;
+    if (part == "materials" || part == "bsdf records") uploads.materials = true;
+    if (part == "textures") {
+      uploads.textures = true;
+      uploads.textureKinds = textureNames();
+    }
+    if (part == "hits") uploads.primitives = true;
+    if (part == "index bytes") uploads.indexBytes = 4;
+    // The widest that film/gather_strip.glsl takes.
+    if (part == "apron") choices.gather.apron = std::max(4U, choices.gather.apron);
+  }
+  return choices;
+}
+
+}  // namespace laver

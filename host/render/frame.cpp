@@ -1,0 +1,245 @@
+#include "render/frame.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "kernels/compose.h"
+#include "render/pack_parts.h"
+#include "render/scene_coverage.h"
+#include "render/stopwatch.h"
+
+namespace laver {
+namespace {
+
+std::uint32_t groups(std::uint32_t count, std::uint32_t size) { return (count + size - 1) / size; }
+
+/// What a dispatch costs for itself, in samples.
+constexpr double kDispatchSamples = 1000;
+
+/// A part of an area as first and end column and row from its corner.
+glm::uvec4 within(const Crop& part, const glm::uvec4& area) {
+  const glm::uvec4 edges(part.x0, part.y0, part.x1, part.y1);
+  return edges - glm::uvec4(area.x, area.y, area.x, area.y);
+}
+
+std::span<const std::byte> bytes(const shared::Pass& pass) {
+  return std::as_bytes(std::span(&pass, 1));
+}
+
+/// The scene on the device, its film cleared while kernels may still be compiled.
+DeviceScene uploaded(const Device& device, const Packed& packed, const Choices& choices,
+                     double& seconds) {
+  const Stopwatch watch(seconds);
+  DeviceScene scene(device, packed, choices.tiling);
+  scene.film().fillZero();
+  return scene;
+}
+
+}  // namespace
+
+Frame::Frame(const Device& device, const Packed& packed, const Choices& choices,
+             std::future<Kernels> kernels)
+    : device_(device),
+      packed_(packed),
+      choices_(choices),
+      onDevice_(uploaded(device, packed, choices, work_.uploadSeconds)),
+      traversal_(choices.traversal),
+      covered_(coverageOf(packed)),
+      kernels_(kernels.get()),
+      gatherable_(covered_) {
+  work_.modules = {kernels_.trace.source, kernels_.gather.source};
+}
+
+void Frame::begin(const PictureChoice& picture) {
+  const bool first = &picture == &choices_.pictures.front();
+  const bool deeper = stackFor(picture.key.stack, packed_.bvh.stack) != picture.key.stack;
+  picture_ = &picture;
+  gatherable_ = picture.blackMiss ? covered_.grown(apron())
+                                  : Coverage::whole(covered_.width(), covered_.height());
+  onDevice_.upload(paramsOf(picture.shown));
+  if (!first || deeper) compileTrace(traversal_);
+}
+
+shared::Params Frame::paramsOf(const IntegratorUse& integrator) const {
+  shared::Params params = packed_.params;
+  params.properties = propertiesOf(integrator, packed_.space);
+  return params;
+}
+
+void Frame::seed(std::int64_t seed) const {
+  shared::Params params = paramsOf(picture_->shown);
+  packSeed(seed, params);
+  onDevice_.upload(params);
+}
+
+void Frame::compileTrace(Traversal traversal) {
+  const Stopwatch watch(work_.compileSeconds);
+  TraceKey key = picture_->key;
+  key.traversal = traversal;
+  key.stack = stackFor(key.stack, packed_.bvh.stack);
+  kernels_.trace = compileKernel(device_, onDevice_.bindings(), compose(key));
+  work_.modules.push_back(kernels_.trace.source);
+}
+
+void Frame::clearFilm() {
+  if (!filmIsClear_) onDevice_.film().fillZero();
+  filmIsClear_ = false;
+}
+
+void Frame::setFilm(std::span<const std::byte> sums) {
+  onDevice_.film().upload(sums);
+  filmIsClear_ = false;
+}
+
+std::span<const std::byte> Frame::filmOf(const Crop& band) {
+  const std::size_t pixels =
+      static_cast<std::size_t>(band.x1 - band.x0) * static_cast<std::size_t>(band.y1 - band.y0);
+  return onDevice_.film().contents(pixels * sizeof(shared::FilmPixel), copy_);
+}
+
+glm::uvec4 Frame::regionAround(const Crop& band) const {
+  return regionOf(band, choices_.gather.apron, covered_.width(), covered_.height());
+}
+
+std::uint32_t Frame::maxSamples(const Crop& band, std::uint32_t samples) const {
+  return mapped() ? map_->max(cropOf(regionAround(band))) : samples;
+}
+
+shared::Pass Frame::passOverCentres(const Crop& band) {
+  shared::Pass pass{};
+  pass.region = pass.core = {band.x0, band.y0, band.x1 - band.x0, band.y1 - band.y0};
+  pass.sampleCount = 1;
+  traced_ = {band};
+  filmIsClear_ = false;
+  return pass;
+}
+
+shared::Pass Frame::passOver(const Crop& band) {
+  shared::Pass pass{};
+  pass.region = regionAround(band);
+  pass.core = {band.x0, band.y0, band.x1 - band.x0, band.y1 - band.y0};
+  if (mapped())
+    onDevice_.upload(map_->counts(pass.region));
+  else
+    planParts(pass);
+  return pass;
+}
+
+/// Only covered pixels have sums, and only the samples that those need are traced.
+void Frame::planParts(const shared::Pass& pass) {
+  const double each = kDispatchSamples / choices_.tiling.samplesPerPass;
+  // Strips begin with the rows above them that reach into theirs.
+  gathered_ = gatherable_.parts(cropOf(pass.core), {each, 2.0 * apron()});
+  Coverage needed(gatherable_.width(), gatherable_.height());
+  for (const Crop& part : gathered_) needed.add(part);
+  traced_ = needed.grown(apron()).parts(cropOf(pass.region), {each, 0});
+}
+
+void Frame::forgetDropped() {
+  status_.dropped = 0;
+  onDevice_.status().upload(std::as_bytes(std::span(&status_, 1)));
+}
+
+/// Where a packet of rays meets more of the scene than one invocation may walk through, this pass and
+/// all that follow go ray by ray: the same bits.
+void Frame::trace(const shared::Pass& pass) {
+  const shared::Status before = status_;
+  if (mapped()) listWork(pass);
+  dispatchLights(pass);
+  if (status_.incomplete != 0 && isPacket(traversal_)) {
+    traversal_ = Traversal::Lane;
+    work_.fallback = fmt::format("{} packets ran more loops than the driver lets one invocation run",
+                                 status_.incomplete / 8);
+    compileTrace(traversal_);
+    onDevice_.status().upload(std::as_bytes(std::span(&before, 1)));
+    dispatchLights(pass);
+  }
+  if (status_.incomplete != 0)
+    throw Error(ExitCode::Device,
+                fmt::format("{} rays were not traced to their end: the driver lets one "
+                            "invocation run too few loop iterations",
+                            status_.incomplete));
+}
+
+/// All lights in one dispatch, or a few in each of several.
+void Frame::dispatchLights(shared::Pass pass) {
+  const Stopwatch watch(work_.traceSeconds);
+  const auto lights =
+      picture_->key.lights ? static_cast<std::uint32_t>(packed_.lights.size()) : 0U;
+  pass.firstLight = 0;
+  do {
+    pass.lightCount = std::min(lights - pass.firstLight, shared::LIGHTS_PER_DISPATCH);
+    pass.firstDispatch = pass.firstLight == 0 ? 1 : 0;
+    pass.lastDispatch = pass.firstLight + pass.lightCount == lights ? 1 : 0;
+    device_.run([&](VkCommandBuffer commands) { dispatchSamples(commands, pass); });
+    pass.firstLight += pass.lightCount;
+  } while (pass.firstLight < lights);
+  onDevice_.status().download(std::as_writable_bytes(std::span(&status_, 1)));
+}
+
+/// As many samples of a pixel side by side as there are: 64, 16, 4 or 1 in a tile of 64.
+void Frame::dispatchSamples(VkCommandBuffer commands, shared::Pass pass) const {
+  const Kernel& kernel = kernels_.trace.kernel;
+  pass.part = {0, 0, pass.region.z, pass.region.w};
+  pass.dispatchSample = 0;
+  for (std::size_t i = 0; i < kShifts.size(); ++i) {
+    pass.sideShift = kShifts[i];
+    if (mapped()) {
+      dispatchListed(commands, kernel, pass, tracing_[i]);
+      continue;
+    }
+    const std::uint32_t count = (pass.sampleCount - pass.dispatchSample) >> pass.sideShift;
+    if (count == 0 || 1U << pass.sideShift > choices_.tiling.sideBySide) continue;
+    const std::uint32_t side = 8U >> pass.sideShift / 2;
+    for (const Crop& part : traced_) {
+      pass.part = within(part, pass.region);
+      pass.tileRows = groups(pass.part.w - pass.part.y, side);
+      pass.rowStride = rowStride(pass.tileRows);
+      kernel.dispatch(commands, onDevice_.bindings(), bytes(pass),
+                      {groups(pass.part.z - pass.part.x, side), pass.tileRows, count});
+    }
+    pass.dispatchSample += count << pass.sideShift;
+  }
+}
+
+void Frame::gather(const shared::Pass& given) {
+  const Stopwatch watch(work_.gatherSeconds);
+  ++work_.passes;
+  shared::Pass pass = given;
+  pass.stripRows = mapped() ? shared::STRIP_ROWS : choices_.tiling.gatherRows;
+  device_.run([&](VkCommandBuffer commands) {
+    const Kernel& kernel = kernels_.gather.kernel;
+    if (mapped()) {
+      pass.part = {0, 0, pass.core.z, pass.core.w};
+      return dispatchListed(commands, kernel, pass, gathering_);
+    }
+    for (const Crop& part : gathered_) {
+      pass.part = within(part, pass.core);
+      // Strips begin where blocks of slots do, or halfway: up to as many columns before the part.
+      const std::uint32_t columns = pass.part.z - pass.part.x + pass.core.x - pass.region.x;
+      kernel.dispatch(commands, onDevice_.bindings(), bytes(pass),
+                      {groups(columns, shared::GATHER_GROUP),
+                       groups(pass.part.w - pass.part.y, pass.stripRows), 1});
+    }
+  });
+}
+
+/// Lists the work of a pass where cells have counts of their own.
+void Frame::listWork(const shared::Pass& pass) {
+  std::vector<shared::Work> list;
+  Coverage needed(gatherable_.width(), gatherable_.height());
+  gathering_ = listGathering(*map_, pass, choices_.gather.apron, gatherable_, needed, list);
+  for (std::size_t i = 0; i < kShifts.size(); ++i)
+    tracing_[i] = listTracing(*map_, pass, kShifts[i], needed, list);
+  onDevice_.upload(list);
+}
+
+void Frame::dispatchListed(VkCommandBuffer commands, const Kernel& kernel, shared::Pass pass,
+                           const WorkRange& work) const {
+  if (work.rows == 0) return;
+  pass.firstWork = work.first;
+  kernel.dispatch(commands, onDevice_.bindings(), bytes(pass), {work.columns, work.rows, 1});
+}
+
+}  // namespace laver

@@ -1,0 +1,287 @@
+#include "render/packed.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "render/pack_parts.h"
+#include "render/pack_textures.h"
+#include "render/traversal.h"
+
+namespace laver {
+namespace {
+
+using glm::dvec3;
+using glm::vec3;
+
+/// Largest e with 2^e <= x, for finite x > 0.
+int floorLog2(double x) { return std::ilogb(x); }
+
+/// Packs the meshes' primitives in file order, and one attribute entry for each.
+class MeshPacker {
+ public:
+  MeshPacker(const Scene& scene, const Uploads& uploads, Packed& packed, TexturePacker& textures)
+      : scene_(scene), uploads_(uploads), packed_(packed), textures_(textures) {}
+
+  std::vector<shared::Triangle> pack() {
+    if (!uploads_.primitives) return {};
+    if (uploads_.normals) packed_.normals.emplace_back(0.0F);  // NO_NORMAL's place
+    for (const Mesh& mesh : scene_.meshes) add(mesh);
+    return std::move(triangles_);
+  }
+
+  /// In file order, without the primitives that collapsed.
+  const std::vector<shared::Attributes>& attributes() const { return attributes_; }
+
+ private:
+  /// Adds the mesh's records; returns their number.
+  std::uint32_t addMaterial(const Mesh& mesh) {
+    if (uploads_.textures) textures_.addRecord(mesh, nextId_);
+    if (uploads_.materials) packed_.materials.push_back(materialOf(mesh.bsdf, uploads_));
+    return meshes_++;
+  }
+
+  void addSphere(const Mesh& mesh) {
+    const std::uint32_t material = addMaterial(mesh);
+    const std::uint32_t id = nextId_++;
+    // Like a triangle without coordinates: the kernels take u and v for weights (ball.glsl).
+    if (uploads_.textures) textures_.addTriangle(mesh, {0, 1, 2}, {0, 1, 2});
+    const auto radius = static_cast<float>(mesh.sphere->radius * packed_.space.scale);
+    // sphere.h takes these to unit size by a power of two that floats hold.
+    if (radius < 0x1p-100F) {
+      ++packed_.collapsedTriangles;
+      return;
+    }
+    triangles_.push_back({vec3(packed_.space.apply(mesh.sphere->centre)), id, vec3(radius), 0,
+                          vec3(0.0F), shared::IS_SPHERE});
+    attributes_.push_back({material, shared::NO_NORMAL, shared::NO_NORMAL, shared::NO_NORMAL});
+  }
+
+  void add(const Mesh& mesh) {
+    if (mesh.sphere) return addSphere(mesh);
+    std::vector<vec3> positions(mesh.positions.size());
+    std::transform(mesh.positions.begin(), mesh.positions.end(), positions.begin(),
+                   [&](const dvec3& p) { return vec3(packed_.space.apply(p)); });
+    const bool smooth = uploads_.normals && !mesh.normals.empty();
+    const auto firstNormal = static_cast<std::uint32_t>(packed_.normals.size());
+    if (smooth)
+      for (const dvec3& n : mesh.normals) packed_.normals.emplace_back(vec3(n), 0.0F);
+    const std::uint32_t material = addMaterial(mesh);
+    for (const glm::uvec3 given : mesh.triangles) {
+      glm::uvec3 t = given;
+      const std::uint32_t flipped = sortCorners(t, positions) ? 1 : 0;
+      const vec3 a = positions[t.x], b = positions[t.y], c = positions[t.z];
+      const std::uint32_t id = nextId_++;
+      if (uploads_.textures) textures_.addTriangle(mesh, given, t);
+      // An edge of no length has no inside; its neighbours still meet. Triangles that merely
+      // became collinear stay: they fill what rounding opens beside them.
+      if (a == b || b == c || c == a) {
+        ++packed_.collapsedTriangles;
+        continue;
+      }
+      triangles_.push_back({a, id, b, 0, c, flipped});
+      const glm::uvec3 n = smooth ? t + firstNormal : glm::uvec3(shared::NO_NORMAL);
+      attributes_.push_back({material, n.x, n.y, n.z});
+    }
+  }
+
+  /// Orders corners by position; true if that turned the winding.
+  static bool sortCorners(glm::uvec3& t, const std::vector<vec3>& positions) {
+    const auto before = [&](std::uint32_t i, std::uint32_t j) {
+      const vec3 p = positions[i], q = positions[j];
+      return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+    };
+    bool turned = false;
+    for (const auto& [i, j] : {std::pair(0, 1), std::pair(1, 2), std::pair(0, 1)})
+      if (before(t[j], t[i])) {
+        std::swap(t[i], t[j]);
+        turned = !turned;
+      }
+    return turned;
+  }
+
+  const Scene& scene_;
+  const Uploads& uploads_;
+  Packed& packed_;
+  TexturePacker& textures_;
+  std::vector<shared::Triangle> triangles_;
+  std::vector<shared::Attributes> attributes_;
+  std::uint32_t nextId_ = 0, meshes_ = 0;
+};
+
+/// Attributes are made in file order; leaves want them in their own.
+std::vector<shared::Attributes> inLeafOrder(const std::vector<shared::Attributes>& attributes,
+                                            const std::vector<shared::Triangle>& inFileOrder,
+                                            const Bvh& bvh) {
+  if (inFileOrder.empty()) return {};
+  std::vector<std::uint32_t> placeOf(inFileOrder.back().id + 1);
+  for (std::uint32_t i = 0; i < inFileOrder.size(); ++i) placeOf[inFileOrder[i].id] = i;
+  std::vector<shared::Attributes> sorted(attributes.size());
+  for (std::size_t slot = 0; slot < sorted.size(); ++slot)
+    sorted[slot] = attributes[placeOf[bvh.triangles[slot].id]];
+  return sorted;
+}
+
+template <class Index>
+std::vector<std::byte> attributeBytes(const std::vector<shared::Attributes>& attributes,
+                                      bool normals) {
+  std::vector<Index> numbers;
+  numbers.reserve(attributes.size() * (normals ? 4 : 1));
+  for (const shared::Attributes& a : attributes) {
+    numbers.push_back(static_cast<Index>(a.material));
+    if (normals)
+      for (const std::uint32_t n : {a.normalA, a.normalB, a.normalC})
+        numbers.push_back(static_cast<Index>(n));
+  }
+  const auto bytes = std::as_bytes(std::span(numbers));
+  return {bytes.begin(), bytes.end()};
+}
+
+/// Four numbers per triangle, or its material alone where no kernel reads normals.
+void packAttributes(const std::vector<shared::Attributes>& attributes, const Uploads& uploads,
+                    Packed& packed) {
+  const bool normals = uploads.normals;
+  switch (uploads.indexBytes) {
+    case 1:
+      packed.attributes = attributeBytes<std::uint8_t>(attributes, normals);
+      packed.attributeFormat = normals ? VK_FORMAT_R8G8B8A8_UINT : VK_FORMAT_R8_UINT;
+      break;
+    case 2:
+      packed.attributes = attributeBytes<std::uint16_t>(attributes, normals);
+      packed.attributeFormat = normals ? VK_FORMAT_R16G16B16A16_UINT : VK_FORMAT_R16_UINT;
+      break;
+    default:
+      packed.attributes = attributeBytes<std::uint32_t>(attributes, normals);
+      packed.attributeFormat = normals ? VK_FORMAT_R32G32B32A32_UINT : VK_FORMAT_R32_UINT;
+  }
+}
+
+/// The integrator's float properties. Lengths come to normalised space, whose points lie less than 4
+/// apart; below 2^-100 nothing is seen apart.
+glm::vec4 propertiesOf(const IntegratorUse& integrator, const Normalisation& space) {
+  glm::vec4 values(0.0F);
+  int i = 0;
+  for (const PropertyRow& property : integrator.row->properties) {
+    const double value = integrator.real(property.name);
+    values[i++] = static_cast<float>(isLength(property)
+                                         ? std::clamp(value * space.scale, 0x1p-100, 4.0)
+                                         : value);
+  }
+  return values;
+}
+
+/// radiance / distance^2 keeps its value when distances are scaled, if radiance is by the square.
+shared::Light lightData(const PointLight& light, const Normalisation& space) {
+  return {vec3(space.apply(light.position)), 0.0F,
+          vec3(light.radiance * (space.scale * space.scale)), 0.0F};
+}
+
+}  // namespace
+
+Normalisation normalisationOf(const Scene& scene) {
+  dvec3 lo(std::numeric_limits<double>::infinity()), hi(-lo);
+  for (const Mesh& mesh : scene.meshes) {
+    if (mesh.sphere) {
+      lo = glm::min(lo, mesh.sphere->centre - mesh.sphere->radius);
+      hi = glm::max(hi, mesh.sphere->centre + mesh.sphere->radius);
+    }
+    for (const glm::uvec3& t : mesh.triangles)
+      for (int corner = 0; corner < 3; ++corner) {
+        lo = glm::min(lo, mesh.positions[t[corner]]);
+        hi = glm::max(hi, mesh.positions[t[corner]]);
+      }
+  }
+  if (lo.x > hi.x) return {};
+  Normalisation space;
+  space.centre = lo * 0.5 + hi * 0.5;
+  const dvec3 half = hi * 0.5 - lo * 0.5;
+  const double largest = std::max({half.x, half.y, half.z});
+  // Half-width in (1/2, 1) for any scene of a representable size.
+  if (largest > 0.0)
+    space.scale = std::ldexp(1.0, std::clamp(-1 - floorLog2(largest), -1000, 1000));
+  return space;
+}
+
+Packed pack(const Scene& scene, const RenderOptions& options, const Choices& choices) {
+  const Uploads& uploads = choices.uploads;
+  Packed packed;
+  packed.space = normalisationOf(scene);
+  TexturePacker textures(packed, uploads.textureKinds);
+  MeshPacker meshes(scene, uploads, packed, textures);
+  const auto triangles = meshes.pack();
+  packed.triangles = triangles.size();
+  const auto start = std::chrono::steady_clock::now();
+  packed.bvh = buildBvh(triangles, options.threads);
+  packed.buildSeconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (uploads.attributes)
+    packAttributes(inLeafOrder(meshes.attributes(), triangles, packed.bvh), uploads, packed);
+  if (uploads.lights)
+    for (const PointLight& light : scene.lights)
+      packed.lights.push_back(lightData(light, packed.space));
+  packCamera(scene.camera, packed);
+  packFilter(scene.filter, uploads.noriTable, packed.params);
+  packSampler(scene, choices.pictures.front().key.jumpLevels, packed);
+  if (uploads.background) textures.packBackground(*scene.environment);
+  if (!scene.meshes.empty())
+    packed.params.albedo = vec3(albedoOf(scene.meshes.front().bsdf));
+  packed.params.root = packed.bvh.root;
+  packed.params.properties = propertiesOf(scene.integrator, packed.space);
+  packed.params.packetWindow = packetWindow(primitivesOf(scene));
+  return packed;
+}
+
+namespace {
+
+template <class T, class A>
+std::span<const std::byte> bytes(const std::vector<T, A>& data) {
+  return std::as_bytes(std::span(data));
+}
+
+}  // namespace
+
+std::vector<DeviceArray> arraysOf(const Packed& p) {
+  constexpr VkFormat kTexels = VK_FORMAT_R32G32B32A32_UINT;
+  // A packet's lanes read a leaf's triangles and what follows, which must not be met.
+  constexpr std::uint64_t kAfterTriangles = (shared::MAX_LEAF - 1) * sizeof(shared::Triangle);
+  // Kernels that do not know that there is no light look at one, which must be black.
+  constexpr std::uint64_t kAfterLights = sizeof(shared::Light);
+  return {{shared::BIND_NODES, "BVH nodes", bytes(p.bvh.nodes), kTexels, 0, false},
+          {shared::BIND_TRIANGLES, "triangles", bytes(p.bvh.triangles), kTexels, kAfterTriangles,
+           true},
+          {shared::BIND_ATTRIBUTES, "attributes", p.attributes, p.attributeFormat, 0, true},
+          {shared::BIND_NORMALS, "normals", bytes(p.normals), kTexels, 0, true},
+          {shared::BIND_MATERIALS, "materials", bytes(p.materials), kTexels, 0, true},
+          {shared::BIND_LIGHTS, "lights", bytes(p.lights), kTexels, kAfterLights, true},
+          {shared::BIND_JUMPS, "sampler tables", bytes(p.jumps), kTexels, 0, false},
+          {shared::BIND_TEXTURES, "textures", bytes(p.textures), kTexels, 0, true},
+          {shared::BIND_UVS, "texture coordinates", bytes(p.uvs), VK_FORMAT_R32G32_UINT, 0, true},
+          {shared::BIND_IMAGES, "images", bytes(p.images), VK_FORMAT_R32_UINT, 0, true}};
+}
+
+std::uint64_t bytesOf(const Packed& packed) {
+  std::uint64_t sum = 0;
+  for (const DeviceArray& array : arraysOf(packed)) sum += array.bytes.size();
+  return sum;
+}
+
+std::string contentOf(const Packed& packed, const Choices& choices) {
+  Hash hash;
+  shared::Params params = packed.params;
+  params.sampleCount = params.root = 0;
+  hash.add(std::as_bytes(std::span(&params, 1)));
+  TraceKey key = choices.pictures.front().key;
+  key.stack = key.jumpLevels = 0;  // of the tree and of the sample count
+  key.traversal = Traversal::Lane;
+  GatherKey gather = choices.gather;
+  gather.strips = false;
+  hash.add(std::as_bytes(std::span(compose(key))));
+  hash.add(std::as_bytes(std::span(compose(gather))));
+  for (const DeviceArray& array : arraysOf(packed))
+    if (array.decidesPicture) hash.add(array.bytes);
+  return hash.text();
+}
+
+}  // namespace laver

@@ -1,0 +1,53 @@
+#include "render/pack_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace laver {
+
+using glm::dvec3;
+using glm::vec3;
+
+void packCamera(const Camera& camera, Packed& packed) {
+  const glm::dmat4& m = camera.toWorld;
+  const dvec3 origin = dvec3(m[3]) / m[3].w;
+
+  // A camera may be scaled; kappa brings its directions to about unit length.
+  double largest = 0.0;
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(m[column][row]));
+  const double kappa = std::ldexp(1.0, -std::ilogb(largest));
+
+  // In camera space the ray through film position (px, py) is (q, 1) with q = (1 - 2 px / w) T,
+  // (1 - 2 py / h) T h / w, T = tan(fov / 2); both are T / w times (w - 2 px), (h - 2 py). Then t
+  // is the distance along the camera's axis, in which the clip planes are given.
+  const double pixel = std::tan(camera.fov * std::numbers::pi / 360.0) / camera.width;
+  shared::Params& p = packed.params;
+  p.origin = vec3(packed.space.apply(origin));
+  p.columnX = vec3(dvec3(m[0]) * (kappa * pixel));
+  p.columnY = vec3(dvec3(m[1]) * (kappa * pixel));
+  p.columnZ = vec3(dvec3(m[2]) * kappa);
+  const double scale = packed.space.scale / kappa;
+  // Far planes beyond 1e37 are as good as none, and times a direction stay finite.
+  const auto clip = [&](double z) { return static_cast<float>(std::clamp(z * scale, 0.0, 1e37)); };
+  p.tmin = clip(camera.nearClip);
+  p.tmax = clip(camera.farClip);
+  p.sceneUnits = static_cast<float>(1.0 / packed.space.scale);
+  p.filmSize = {static_cast<std::uint32_t>(camera.width),
+                static_cast<std::uint32_t>(camera.height)};
+}
+
+void packFilter(const Filter& filter, bool noriTable, shared::Params& params) {
+  params.filterRadius = static_cast<float>(filter.radius);
+  params.filterShape = glm::vec2(filter.row->shape(filter));
+  // Nori's table: 32 entries over the radius, and a last one of 0.
+  const double alpha = -1.0 / (2.0 * filter.stddev * filter.stddev);
+  for (int i = 0; i < 32; ++i)
+    params.filterTable[i / 4][i % 4] =
+        static_cast<float>(noriTable ? filter.row->evaluate(filter, filter.radius * i / 32.0)
+                                     : std::exp(alpha * i * i));
+  params.filterTable[8] = glm::vec4(0.0F);
+}
+
+}  // namespace laver

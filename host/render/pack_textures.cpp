@@ -1,0 +1,84 @@
+#include "render/pack_textures.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace laver {
+using glm::vec2;
+using glm::vec3;
+
+/// 1 + the place of its kind. A texture that shows nothing of its own, such as an image that was not read,
+/// has the colour of its record.
+std::uint32_t TexturePacker::kindOf(const std::optional<Texture>& texture) const {
+  if (!shows(texture)) return shared::TEXTURE_NONE;
+  const auto kind = std::find(kinds_.begin(), kinds_.end(), textureName(*texture));
+  return static_cast<std::uint32_t>(kind - kinds_.begin()) + 1;
+}
+
+void TexturePacker::addRecord(const Mesh& mesh, std::uint32_t firstId) {
+  shared::Texture record{};
+  record.kind = kindOf(mesh.bsdf.texture);
+  record.color1 = vec3(mesh.bsdf.albedo);
+  if (const auto& texture = mesh.bsdf.texture) {
+    record.color1 = vec3(texture->colors[0]);
+    record.color2 = vec3(texture->colors[1]);
+    record.scale = vec2(texture->scale);
+    record.offset = vec2(texture->offset);
+    if (texture->image) record.image = add(*texture->image, texture->raw);
+  }
+  record.uvs = static_cast<std::uint32_t>(packed_.uvs.size() / 3) - firstId;
+  packed_.textures.push_back(record);
+}
+
+void TexturePacker::addTriangle(const Mesh& mesh, glm::uvec3 given, glm::uvec3 stored) {
+  if (packed_.textures.back().kind == shared::TEXTURE_NONE) return;
+  for (int corner = 0; corner < 3; ++corner) {
+    const std::uint32_t vertex = stored[corner];
+    // Without coordinates u and v are the weights of the second and the third corner.
+    packed_.uvs.push_back(!mesh.uvs.empty() ? vec2(mesh.uvs[vertex])
+                                          : vec2(vertex == given.y, vertex == given.z));
+  }
+}
+
+void TexturePacker::packBackground(const Environment& environment) {
+  // Only directions count; entries of about 1 keep them far from the range of floats.
+  glm::dmat3 inverse = glm::inverse(glm::dmat3(environment.toWorld));
+  double largest = 0.0;
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(inverse[column][row]));
+  inverse /= largest;
+  const auto row = [&](int i) { return vec3(inverse[0][i], inverse[1][i], inverse[2][i]); };
+  shared::Params& p = packed_.params;
+  p.backgroundX = row(0);
+  p.backgroundY = row(1);
+  p.backgroundZ = row(2);
+  p.backgroundRadiance = vec3(environment.radiance);
+  if (environment.image) p.backgroundImage = add(*environment.image, environment.raw);
+}
+
+std::uint32_t TexturePacker::tableOf(bool raw) {
+  const auto [entry, added] = tables_.emplace(raw, static_cast<std::uint32_t>(packed_.images.size()));
+  for (int i = 0; added && i < 256; ++i) {
+    const double x = i / 255.0;
+    packed_.images.push_back(shared::floatBitsToUint(static_cast<float>(raw ? x : linearOfSrgb(x))));
+  }
+  return entry->second;
+}
+
+shared::ImageRef TexturePacker::add(const Picture& picture, bool raw) {
+  const auto* bitmap = std::get_if<Bitmap>(&picture);
+  const std::uint32_t table = bitmap != nullptr ? tableOf(raw) : shared::NO_TABLE;
+  std::vector<std::uint32_t>& words = packed_.images;
+  const auto [entry, added] = pictures_.emplace(&picture, static_cast<std::uint32_t>(words.size()));
+  if (added && bitmap != nullptr) {
+    for (const Rgb8& p : bitmap->pixels)
+      words.push_back(static_cast<std::uint32_t>(p[0] | p[1] << 8 | p[2] << 16));
+  } else if (added) {
+    for (const float value : std::get<Image>(picture).pixels)
+      words.push_back(shared::floatBitsToUint(value));
+  }
+  return {entry->second, static_cast<std::uint32_t>(widthOf(picture)),
+          static_cast<std::uint32_t>(heightOf(picture)), table};
+}
+
+}  // namespace laver

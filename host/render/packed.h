@@ -1,0 +1,68 @@
+#pragma once
+#include <volk.h>
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bvh/bvh.h"
+#include "render/choices.h"
+#include "render/options.h"
+#include "scene/scene.h"
+#include "shared/layout.h"
+
+namespace laver {
+
+/// Space of the kernels: p' = scale * (p - centre), so that all vertices lie in [-1, 1]^3. The
+/// scale is a power of two; without meshes the space is the scene's own.
+struct Normalisation {
+  glm::dvec3 centre{0.0};
+  double scale = 1.0;
+  glm::dvec3 apply(glm::dvec3 p) const { return (p - centre) * scale; }
+};
+Normalisation normalisationOf(const Scene& scene);
+
+/// A scene in the layout of the kernels; empty arrays are not uploaded.
+struct Packed {
+  Normalisation space;
+  Bvh bvh;
+  std::vector<std::byte> attributes;  ///< shared::Attributes per triangle, in the order of the leaves
+  std::vector<glm::vec4> normals;
+  std::vector<shared::Material> materials;
+  std::vector<shared::Light> lights;
+  std::vector<shared::Jump> jumps;
+  std::vector<shared::Texture> textures;  ///< one per mesh
+  std::vector<glm::vec2> uvs;             ///< three per triangle that shows a texture
+  std::vector<std::uint32_t> images;      ///< all images and their tables
+  shared::Params params{};
+  VkFormat attributeFormat = VK_FORMAT_R32G32B32A32_UINT;
+  std::uint64_t triangles = 0;           ///< uploaded, spheres too
+  std::uint64_t collapsedTriangles = 0;  ///< two corners fell together when rounded to float
+  double buildSeconds = 0;               ///< of the tree
+};
+
+/// Rounds, builds and packs what the choices upload.
+Packed pack(const Scene& scene, const RenderOptions& options, const Choices& choices);
+
+/// An array of a scene on the device.
+struct DeviceArray {
+  std::uint32_t binding;
+  const char* name;  ///< for messages
+  std::span<const std::byte> bytes;
+  VkFormat format;
+  std::uint64_t zeros;   ///< bytes of zeros behind it
+  bool decidesPicture;   ///< other contents make another picture
+};
+
+/// All of them: what is uploaded, counted and hashed.
+std::vector<DeviceArray> arraysOf(const Packed& packed);
+
+/// Bytes of them.
+std::uint64_t bytesOf(const Packed& packed);
+
+/// A hash of everything that a picture's values depend on, the sample count left out.
+std::string contentOf(const Packed& packed, const Choices& choices);
+
+}  // namespace laver

@@ -1,0 +1,9 @@
+// A pinhole camera: the direction through a film position, in pixels.
+#include "resources.glsl"
+
+vec3 cameraDirection(vec2 film) {
+  precise float x = float(params.filmSize.x) - 2.0 * film.x;
+  precise float y = float(params.filmSize.y) - 2.0 * film.y;
+  precise vec3 d = params.columnX * x + params.columnY * y + params.columnZ;
+  return d;
+}

@@ -1,0 +1,13 @@
+// A background of an image around the scene, by latitude and longitude.
+#include "texture/image.glsl"
+#include "texture/angle.glsl"
+
+vec3 backgroundAt(vec3 direction) {
+  if (params.backgroundImage.width == 0u) return params.backgroundRadiance;
+  const vec3 d = vec3(dotProduct(params.backgroundX, direction),
+                      dotProduct(params.backgroundY, direction),
+                      dotProduct(params.backgroundZ, direction));
+  const float s = unitPart(turnOf(d.x, -d.z));
+  const float t = 2.0 * turnOf(sqrt(d.x * d.x + d.z * d.z), d.y);
+  return params.backgroundRadiance * imageAt(params.backgroundImage, s, t, false);
+}

@@ -1,0 +1,14 @@
+// Gathering on any device: an invocation sums for one column and reads all samples that it needs.
+#include "film/gathered.glsl"
+
+const uint COLUMNS = 1u;
+
+// Adds samples number s of a row of pixels to what they reach of column x of the region.
+void addRow(inout vec4 sums[COLUMNS][REACH], int x, int row, uint s) {
+  for (uint i = 0u; i < REACH; ++i) {
+    const int column = x + int(i) - int(APRON);
+    Weighed w;
+    weigh(gathered(ivec2(column, row), s), w);
+    addSample(sums[0], w, 2u * APRON - i);
+  }
+}

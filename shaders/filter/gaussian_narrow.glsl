@@ -1,0 +1,23 @@
+// The gaussian where its weights can be made by products: exp(alpha (x - k)^2) is exp(alpha x^2) times
+// exp(-2 alpha x)^k times exp(alpha k^2), which stands in params.filterTable[k]. params.filterShape as in
+// filter/gaussian.glsl.
+#include "filter/exp.glsl"
+
+void filterWeights(float x, out float w[REACH]) {
+  const float alpha = params.filterShape.x;
+  const bool dropped = abs(x) > 1.0;
+  const float inside = dropped ? 0.0 : x;
+  precise float up = expOf(-2.0 * alpha * inside);
+  precise float down = 1.0 / up;
+  precise float right = dropped ? 0.0 : expOf(alpha * inside * inside), left = right;
+  w[APRON] = right;
+  [[unroll]] for (uint k = 1u; k <= APRON; ++k) {
+    right *= up;
+    left *= down;
+    const float centre = params.filterTable[k / 4u][k % 4u];
+    w[APRON + k] = right * centre;
+    w[APRON - k] = left * centre;
+  }
+  // Beyond the radius a weight is below zero, as all are of a sample that is DROPPED.
+  [[unroll]] for (uint k = 0u; k < REACH; ++k) w[k] = max(w[k] - params.filterShape.y, 0.0);
+}

@@ -1,0 +1,22 @@
+// Ambient occlusion: 1 if a cosine-distributed direction around the shading normal leaves the scene,
+// else 0; 0 for a miss.
+#include "shared/direction.h"
+
+// Farther than any two points of the scene, which lies in [-1, 1]^3, are apart.
+const float SCENE_REACH = 4.0;
+
+void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
+  Segments segments;
+  FOR_RAYS (uint r = 0u; r < R; ++r) {
+    const bool hit = hits.slot[r] != NO_HIT;
+    const Surface s = surfaceAt(rays.origin[r], rays.direction[r], hit ? hits.slot[r] : 0u);
+    segments.direction[r] = cosineDirection(s.normal, randomPair(r, 1u)) * SCENE_REACH;
+    segments.from[r] = offsetOrigin(s, segments.direction[r]);
+    segments.isActive[r] = hit;
+  }
+  bool clear[R];
+  unoccluded(segments, clear);
+  FOR_RAYS (uint r = 0u; r < R; ++r) {
+    if (clear[r]) radiance[r] = vec3(1.0);
+  }
+}

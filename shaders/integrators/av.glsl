@@ -1,0 +1,19 @@
+// Average visibility: 1 if nothing lies within `length` in a direction uniform on the hemisphere of the
+// shading normal, else 0; 1 for a miss.
+#include "shared/direction.h"
+
+void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
+  Segments segments;
+  FOR_RAYS (uint r = 0u; r < R; ++r) {
+    const bool hit = hits.slot[r] != NO_HIT;
+    const Surface s = surfaceAt(rays.origin[r], rays.direction[r], hit ? hits.slot[r] : 0u);
+    segments.direction[r] = uniformDirection(s.normal, randomPair(r, 1u)) * xml_length;
+    segments.from[r] = offsetOrigin(s, segments.direction[r]);
+    segments.isActive[r] = hit;
+  }
+  bool clear[R];
+  unoccluded(segments, clear);
+  FOR_RAYS (uint r = 0u; r < R; ++r) {
+    if (hits.slot[r] == NO_HIT || clear[r]) radiance[r] = vec3(1.0);
+  }
+}

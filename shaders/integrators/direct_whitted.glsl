@@ -1,0 +1,39 @@
+// Direct light of point lights: the sum, over the lights that the hit sees, of their irradiance times
+// the BSDF; where nothing is hit, the background. In scenes with many lights it is called once for
+// every few of them (pass.firstLight, lightCount).
+void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
+  if (HAS_BACKGROUND && pass.firstDispatch != 0u) {
+    FOR_RAYS (uint r = 0u; r < R; ++r)
+      if (hits.slot[r] == NO_HIT) radiance[r] = backgroundAt(rays.direction[r]);
+  }
+  if (!HAS_LIGHTS) return;
+  Surface surfaces[R];
+  Material materials[R];
+  FOR_RAYS (uint r = 0u; r < R; ++r) {
+    surfaces[r] = surfaceAt(rays.origin[r], rays.direction[r],
+                            hits.slot[r] == NO_HIT ? 0u : hits.slot[r]);
+    materials[r] = materialOf(surfaces[r]);
+  }
+
+  uint i = 0u;
+  do {
+    const PointLight light = pointLightAt(pass.firstLight + i);
+    vec3 points[R], irradiance[R];
+    bool lit[R], clear[R];
+    FOR_RAYS (uint r = 0u; r < R; ++r) {
+      const Surface s = surfaces[r];
+      const LightSample arriving = sampleLight(light, s);
+      lit[r] = hits.slot[r] != NO_HIT && arriving.reaches &&
+               dotProduct(s.normal, rays.direction[r]) < 0.0;
+      irradiance[r] = arriving.irradiance;
+      points[r] = offsetOrigin(s, arriving.direction);
+    }
+    unoccludedToOne(light.position, points, lit, clear);
+    FOR_RAYS (uint r = 0u; r < R; ++r) {
+      const Surface s = surfaces[r];
+      if (clear[r])
+        radiance[r] += evalBsdf(materials[r], s.normal, -rays.direction[r],
+                                light.position - s.position, irradiance[r]);
+    }
+  } while (++i < pass.lightCount);
+}

@@ -1,0 +1,11 @@
+// Two colours by the parity of the unit squares of (s, t).
+
+// 0 or 1: whether the largest whole number below x is odd.
+float oddness(float x) {
+  const float whole = floor(x);
+  return whole - 2.0 * floor(0.5 * whole);
+}
+
+vec3 checkerTexture(TextureRecord t, vec2 st) {
+  return oddness(st.x) == oddness(st.y) ? t.color1 : t.color2;
+}

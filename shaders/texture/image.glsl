@@ -1,0 +1,59 @@
+// Images: linear interpolation between the centres of pixels, in linear light.
+#include "resources.glsl"
+
+
+// x - floor(x), in [0, 1); 0 for what is not finite.
+float unitPart(float x) {
+  const float part = x - floor(x);
+  return part >= 0.0 && part < 1.0 ? part : 0.0;
+}
+
+vec3 pixelOf(ImageRef image, uint x, uint y) {
+  const uint pixel = y * image.width + x;
+  vec3 color;
+  if (HAS_FLOAT_IMAGES && (!HAS_BYTE_IMAGES || image.table == NO_TABLE)) {
+    const int word = int(image.first + pixel * 3u);
+    color = uintBitsToFloat(uvec3(texelFetch(imageTexels, word).x,
+                                  texelFetch(imageTexels, word + 1).x,
+                                  texelFetch(imageTexels, word + 2).x));
+  } else {
+    const uint rgb = texelFetch(imageTexels, int(image.first + pixel)).x;
+    const uvec3 entry = image.table + (uvec3(rgb, rgb >> 8, rgb >> 16) & 255u);
+    color = uintBitsToFloat(uvec3(texelFetch(imageTexels, int(entry.r)).x,
+                                  texelFetch(imageTexels, int(entry.g)).x,
+                                  texelFetch(imageTexels, int(entry.b)).x));
+  }
+  return color;
+}
+
+// The pixels on both sides of a place, counted in pixels from the first one's centre.
+struct Neighbours {
+  uint low, high;
+  float weight;  // of the high one
+};
+
+// `place` in [-1/2, size]; `beyond` the border stands the other end, or the border.
+Neighbours neighboursOf(float place, uint size, bool repeats) {
+  const float below = floor(place);
+  const uint next = uint(int(below) + 1);
+  Neighbours n;
+  n.low = next == 0u ? (repeats ? size - 1u : 0u) : min(next - 1u, size - 1u);
+  n.high = next < size ? next : (repeats ? 0u : size - 1u);
+  n.weight = place - below;
+  return n;
+}
+
+// s, t in [0, 1]: from the left and the upper edge. It repeats in s, and in t if so told.
+vec3 imageAt(ImageRef image, float s, float t, bool repeats) {
+  const Neighbours x = neighboursOf(s * float(image.width) - 0.5, image.width, true);
+  const Neighbours y = neighboursOf(t * float(image.height) - 0.5, image.height, repeats);
+  vec3 sum = vec3(0.0);
+  // Unrolled it looks up some 10 % faster and takes 45 ms more to compile.
+  [[dont_unroll]] for (uint corner = 0u; corner < 4u; ++corner) {
+    const bool right = (corner & 1u) != 0u, below = (corner & 2u) != 0u;
+    const float weight =
+        (right ? x.weight : 1.0 - x.weight) * (below ? y.weight : 1.0 - y.weight);
+    sum += weight * pixelOf(image, right ? x.high : x.low, below ? y.high : y.low);
+  }
+  return sum;
+}

@@ -1,0 +1,86 @@
+// The frustum of a packet's rays, and the groups of rays that may share one. A subgroup of 8 lanes
+// holds 8 R rays, R a lane.
+#include "trace/rays.glsl"
+#include "shared/box.h"
+
+uint lane() { return gl_SubgroupInvocationID; }
+
+float minOfLanes(float x) {
+  x = lesser(x, subgroupShuffleXor(x, 1u));
+  x = lesser(x, subgroupShuffleXor(x, 2u));
+  return lesser(x, subgroupShuffleXor(x, 4u));
+}
+float maxOfLanes(float x) { return -minOfLanes(-x); }
+uint orOfLanes(uint x) {
+  x |= subgroupShuffleXor(x, 1u);
+  x |= subgroupShuffleXor(x, 2u);
+  return x | subgroupShuffleXor(x, 4u);
+}
+// Bounds of pairs: lowest in xy, highest in zw.
+vec4 hull(vec4 bounds, vec2 x) {
+  return vec4(lesser(x.x, bounds.x), lesser(x.y, bounds.y), greater(x.x, bounds.z),
+              greater(x.y, bounds.w));
+}
+vec4 hullOfLanes(vec4 bounds) {
+  return vec4(minOfLanes(bounds.x), minOfLanes(bounds.y), maxOfLanes(bounds.z),
+              maxOfLanes(bounds.w));
+}
+vec3 fromLane(vec3 v, uint from) {
+  return vec3(subgroupShuffle(v.x, from), subgroupShuffle(v.y, from), subgroupShuffle(v.z, from));
+}
+
+// Slopes alone.
+Shear fromLane(Shear s, uint from) {
+  return Shear(0u, 0.0, subgroupShuffle(s.u, from), subgroupShuffle(s.v, from));
+}
+
+// All rays of one walk in permuted space (u, v, depth). At depth z >= 0 from `depth`, a ray stands
+// between window.xy + slopes.xy * z and window.zw + slopes.zw * z; hits lie from `first` to `last`.
+struct Frustum {
+  Shear axis;  // slopes 0
+  vec4 slopes;
+  vec4 window;  // where rays cross `depth`, grown by the pad
+  float depth;
+  float first, last;
+};
+
+// May what lies between two permuted corners hold a hit?
+bool meets(Frustum f, vec3 low, vec3 high) {
+  precise float near = greater(low.z - f.depth, f.first), far = lesser(high.z - f.depth, f.last);
+  precise vec4 atNear = f.slopes * near, atFar = f.slopes * far;
+  precise vec2 above = high.xy - f.window.xy, below = low.xy - f.window.zw;
+  return near <= far && lesser(atNear.x, atFar.x) <= above.x &&
+         lesser(atNear.y, atFar.y) <= above.y && greater(atNear.z, atFar.z) >= below.x &&
+         greater(atNear.w, atFar.w) >= below.y;
+}
+
+// Takes the rays out of `waiting` that may walk with the first that waits: their slopes differ from
+// its own by no more than the scene allows (packetWindow). Bounds the slopes of the whole group in
+// `f`, of this lane's rays in `own`.
+uint gatherGroup(Shear shears[R], inout uint waiting, inout Frustum f, inout Frustum own) {
+  const uint leadLane = uint(findLSB(orOfLanes(waiting != 0u ? 1u << lane() : 0u))) & 7u;
+  const uint leadRay = subgroupShuffle(uint(findLSB(waiting)), leadLane);
+  Shear lead = shears[0];
+  FOR_RAYS (uint r = 1u; r < R; ++r) {
+    if (r == leadRay) lead = shears[r];
+  }
+  f.axis = Shear(subgroupShuffle(lead.axis, leadLane), subgroupShuffle(lead.sign, leadLane), 0.0,
+                 0.0);
+  const float u = subgroupShuffle(lead.u, leadLane), v = subgroupShuffle(lead.v, leadLane);
+  uint group = 0u;
+  f.slopes = vec4(2.0, 2.0, -2.0, -2.0);
+  FOR_RAYS (uint r = 0u; r < R; ++r) {
+    const Shear s = shears[r];
+    const bool leads = lane() == leadLane && r == leadRay;
+    const bool joins = leads || ((waiting >> r & 1u) != 0u && s.axis == f.axis.axis &&
+                                 s.sign == f.axis.sign &&
+                                 greater(abs(s.u - u), abs(s.v - v)) <= params.packetWindow);
+    group |= joins ? 1u << r : 0u;
+    const vec4 wider = hull(f.slopes, vec2(s.u, s.v));
+    f.slopes = joins ? wider : f.slopes;
+  }
+  own = f;
+  f.slopes = hullOfLanes(f.slopes);
+  waiting &= ~group;
+  return group;
+}

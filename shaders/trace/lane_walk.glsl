@@ -1,0 +1,150 @@
+// The walk of one ray by itself, each lane of a subgroup its own, with a stack of its own.
+//
+// Everything is measured by depth, the distance along the ray's dominant axis k (triangle.h).
+// Since loops are `do … while` (lane_stack.glsl), a walk enters the root even for an inactive ray, and
+// tests a triangle even where no leaf is left.
+//
+// Which hit wins must not depend on the tree, so a node is left out only if its box, grown sideways
+// by a pad, misses the line (box.h), or lies wholly nearer than tmin or farther than the best hit.
+#include "resources.glsl"
+#include "trace/lane_stack.glsl"
+#include "trace/rays.glsl"
+#include "shared/box.h"
+#include "shared/sphere.h"
+
+struct LaneRay {
+  vec3 origin;
+  BoxRay box;
+  Shear shear;
+  uint octant;
+  float first;                 // depth at tmin
+};
+
+LaneRay laneRay(vec3 origin, vec3 direction, float tmin) {
+  LaneRay ray;
+  ray.origin = origin;
+  ray.shear = shearOf(direction);
+  ray.box = boxRayOf(origin, direction, ray.shear.axis);
+  ray.octant = (direction.x < 0.0 ? 1u : 0u) | (direction.y < 0.0 ? 2u : 0u) |
+               (direction.z < 0.0 ? 4u : 0u);
+  ray.first = tmin * abs(alongAxis(direction, ray.shear.axis));
+  return ray;
+}
+
+// Enters a node and returns where to go on, with all that the ray can meet up to depth `last`.
+uint enterNode(LaneRay ray, uint node, float last) {
+  Children children;
+  children.met = 0u;
+  [[unroll]] for (uint turn = 0u; turn < NODE_WIDTH; ++turn) {
+    const int texel = int((node * NODE_WIDTH + (turn ^ ray.octant)) * 2u);
+    const uvec4 low = texelFetch(nodeTexels, texel);
+    const uvec4 high = texelFetch(nodeTexels, texel + 1);
+    const BoxSpan span = boxSpan(ray.box, ray.first, texelVec3(low), texelVec3(high));
+    const bool met = span.near <= span.far && span.depth <= last && low.w != REF_NONE;
+    children.met |= met ? 1u << turn : 0u;
+    children.ref[turn] = low.w;
+    children.depth[turn] = span.depth;
+  }
+  return enter(children, last);
+}
+
+struct LaneTriangle {
+  vec3 a, b, c;           // as stored
+  vec3 pa, pb, pc;        // permuted, relative to the origin
+  uint id, more;
+  bool sphere;  // radius b.x
+  vec2 ends;    // of a sphere: the depths of its ends
+};
+
+LaneTriangle loadTriangle(LaneRay ray, uint slot) {
+  const int texel = int(slot * 3u);
+  const uvec4 a = texelFetch(triangleTexels, texel);
+  const uvec4 b = texelFetch(triangleTexels, texel + 1);
+  const uvec4 c = texelFetch(triangleTexels, texel + 2);
+  LaneTriangle t;
+  t.a = texelVec3(a);
+  t.b = texelVec3(b);
+  t.c = texelVec3(c);
+  t.pa = permute(ray.shear, t.a - ray.origin);
+  t.pb = permute(ray.shear, t.b - ray.origin);
+  t.pc = permute(ray.shear, t.c - ray.origin);
+  t.id = a.w;
+  t.more = b.w;
+  t.sphere = HAS_SPHERES && c.w == IS_SPHERE;
+  t.ends = endsOf(permute(ray.shear, t.a).z, t.b.x, permute(ray.shear, ray.origin).z);
+  return t;
+}
+
+// The slot of what the ray meets first, or NO_HIT.
+uint closestLane(vec3 origin, vec3 direction, float tmin, float tmax, bool isActive) {
+  const LaneRay ray = laneRay(origin, direction, tmin);
+  float last = isActive ? tmax * abs(alongAxis(direction, ray.shear.axis)) : NEVER;
+  uint best = NO_HIT, bestId = NO_HIT;
+  uint ref = params.root;
+  stacked = 0u;
+  do {
+    do ref = enterNode(ray, ref, last); while (ref < REF_LEAF);
+    do {
+      uint slot = slotOf(ref), more;
+      do {
+        const LaneTriangle t = loadTriangle(ray, slot);
+        Edges e = edgesOf(ray.shear, t.pa, t.pb, t.pc);
+        float depth = depthOf(e, t.pa.z, t.pb.z, t.pc.z);
+        if (HAS_SPHERES && t.sphere) {
+          const Chord chord = chordOf(ray.shear, t.pa, t.ends, t.b.x);
+          depth = depthOn(chord, ray.first);
+          e.inside = chord.met;
+        }
+        // Equal depths: the smaller id, that is file order.
+        if (e.inside && depth >= ray.first && depth <= last && (depth < last || t.id < bestId)) {
+          last = depth;
+          best = slot;
+          bestId = t.id;
+        }
+        more = t.more;
+        slot++;
+      } while (more > 0u);
+      ref = pop(last);
+    } while (ref >= REF_LEAF && ref != REF_NONE);
+  } while (ref != REF_NONE);
+  return best;
+}
+
+// Whether nothing lies on the segment from a point along `direction`, which `toLight` says to end at
+// `light`. It is traced from the point: geometry near the point decides, and rounding there must not
+// grow with the light's distance.
+bool unoccludedLane(vec3 point, vec3 direction, bool toLight, vec3 light, bool isActive) {
+  const LaneRay ray = laneRay(point, direction, 0.0);
+  // The end's own depth; the slack is the rounding of light - point.
+  const float last = isActive ? alongAxis(abs(direction), ray.shear.axis) * DEPTH_SLACK : NEVER;
+  bool blocked = false;
+  uint ref = params.root;
+  stacked = 0u;
+  do {
+    do ref = enterNode(ray, ref, last); while (ref < REF_LEAF);
+    do {
+      uint slot = slotOf(ref), more;
+      do {
+        const LaneTriangle t = loadTriangle(ray, slot);
+        const Edges e = edgesOf(ray.shear, t.pa, t.pb, t.pc);
+        const vec3 a = permute(ray.shear, t.a);
+        const vec3 n = crossProduct(permute(ray.shear, t.b) - a, permute(ray.shear, t.c) - a);
+        const float lightSide = dotProduct(n, permute(ray.shear, light) - a);
+        bool between =
+            toLight ? blocks(ray.shear, last, n, lightSide, t.pa, t.pb, t.pc)
+                    : blocksWay(ray.shear, last, permute(ray.shear, direction), n, t.pa, t.pb, t.pc);
+        if (HAS_SPHERES && t.sphere) {
+          const vec3 end =
+              toLight ? permute(ray.shear, light) - a : permute(ray.shear, direction) - t.pa;
+          between = ballBlocks(ray.shear, last, t.pa, end, t.ends, t.b.x);
+        }
+        blocked = blocked || between;
+        more = blocked ? 0u : t.more;
+        slot++;
+      } while (more > 0u);
+      if (blocked) stacked = 0u;
+      ref = pop(last);
+    } while (ref >= REF_LEAF && ref != REF_NONE);
+  } while (ref != REF_NONE);
+  return isActive && !blocked;
+}

@@ -1,0 +1,136 @@
+// Nearest hits of a packet: rays of one origin.
+#include "trace/packet_leaf.glsl"
+#include "trace/packet_pairs.glsl"
+
+// A triangle of a leaf as rays from `origin` see it.
+struct Target {
+  vec3 a, b, c;
+  uint id, slot;
+  float radius;  // of a sphere, else 0
+  vec2 ends;
+};
+
+Target targetOf(LeafTriangle leaf, uint from, vec3 origin) {
+  Target t;
+  t.a = fromLane(leaf.a, from) - origin;
+  t.b = fromLane(leaf.b, from) - origin;
+  t.c = fromLane(leaf.c, from) - origin;
+  t.id = subgroupShuffle(leaf.id, from);
+  t.slot = subgroupShuffle(leaf.slot, from);
+  t.radius = 0.0;
+  t.ends = vec2(0.0);
+  if (HAS_SPHERES) {
+    t.radius = subgroupShuffle(leaf.radius, from);
+    t.ends = endsOf(subgroupShuffle(leaf.a.z, from), t.radius, origin.z);
+  }
+  return t;
+}
+
+bool hitsAt(Target t, Shear shear, float first, out float depth) {
+  Edges e = edgesOf(shear, t.a, t.b, t.c);
+  depth = depthOf(e, t.a.z, t.b.z, t.c.z);
+  if (HAS_SPHERES) {
+    const Chord chord = chordOf(shear, t.a, t.ends, t.radius);
+    depth = t.radius > 0.0 ? depthOn(chord, first) : depth;
+    e.inside = t.radius > 0.0 ? chord.met : e.inside;
+  }
+  return e.inside && depth >= first;
+}
+
+// Updates the nearest hit of a ray, and the depth up to which it looks, by one more triangle.
+void keepNearer(bool hit, float depth, uint slot, uint id, inout float last, inout uint best,
+                inout uint bestId) {
+  // Equal depths: the smaller id, that is file order.
+  const bool nearer = hit && (depth < last || (depth == last && id < bestId));
+  last = nearer ? depth : last;
+  best = nearer ? slot : best;
+  bestId = nearer ? id : bestId;
+}
+
+// Loops stand here, since functions that take arrays come out slower.
+Hits closestFromOne(Rays rays) {
+  Shear shears[R];
+  float first[R], last[R];
+  uint best[R], bestId[R];
+  uint waiting = 0u;
+  FOR_RAYS (uint r = 0u; r < R; ++r) {
+    shears[r] = shearOf(rays.direction[r]);
+    first[r] = rays.tmin[r] * abs(alongAxis(rays.direction[r], shears[r].axis));
+    best[r] = bestId[r] = NO_HIT;
+    waiting |= rays.isActive[r] ? 1u << r : 0u;
+  }
+
+  Frustum f, own;
+  do {
+    const uint group = gatherGroup(shears, waiting, f, own);
+    const vec3 origin = permute(f.axis, rays.origin[0]);
+    const float pad = padOf(rays.origin[0]);
+    own.window = f.window = vec4(origin.xy - pad, origin.xy + pad);
+    own.depth = f.depth = origin.z;
+    own.first = 3.4e38;
+    own.last = NEVER;
+    FOR_RAYS (uint r = 0u; r < R; ++r) {
+      const bool walks = (group >> r & 1u) != 0u;
+      const float scale = abs(alongAxis(rays.direction[r], shears[r].axis));
+      last[r] = walks ? rays.tmax[r] * scale : NEVER;
+      own.first = walks ? lesser(first[r], own.first) : own.first;
+      own.last = greater(last[r], own.last);
+    }
+    f.first = minOfLanes(own.first);
+    f.last = maxOfLanes(own.last);
+
+    stackSize = 0;
+    uint ref = params.root;
+    do {
+      do ref = enterNode(f, ref); while (ref < REF_LEAF);
+      do {
+        uint mine;
+        const LeafTriangle leaf = loadLeaf(f, own, ref, mine);
+        if (SHARES_TESTS) {
+          const Pairs pairs = pairsOf(mine);
+          uint done = 0u, next = pairs.begin;
+          do {
+            const uint pair = pairAt(pairs, done + lane());
+            const uint owner = pair >> 3;
+            const Target t = targetOf(leaf, pair & 7u, origin);
+            float depths[R];
+            uint met = 0u;
+            FOR_RAYS (uint r = 0u; r < R; ++r) {
+              const float begin = subgroupShuffle(first[r], owner);
+              met |= hitsAt(t, fromLane(shears[r], owner), begin, depths[r]) ? 1u << r : 0u;
+            }
+            // Each lane takes the hits of its own rays.
+            done += 8u;
+            const uint end = min(pairs.end, done);
+            do {
+              const bool has = next < end;
+              const uint by = next & 7u;
+              const uint found = subgroupShuffle(met, by);
+              const uint hitSlot = subgroupShuffle(t.slot, by), id = subgroupShuffle(t.id, by);
+              FOR_RAYS (uint r = 0u; r < R; ++r)
+                keepNearer(has && (found >> r & 1u) != 0u, subgroupShuffle(depths[r], by), hitSlot, id,
+                           last[r], best[r], bestId[r]);
+              next += has ? 1u : 0u;
+            } while (orOfLanes(next < end ? 1u : 0u) != 0u);
+          } while (done < pairs.total);
+        } else {
+          do {
+            const Target t = targetOf(leaf, nextOf(mine), origin);
+            FOR_RAYS (uint r = 0u; r < R; ++r) {
+              float depth;
+              const bool hit = hitsAt(t, shears[r], first[r], depth);
+              keepNearer(hit, depth, t.slot, t.id, last[r], best[r], bestId[r]);
+            }
+          } while (orOfLanes(mine) != 0u);
+        }
+        own.last = NEVER;
+        FOR_RAYS (uint r = 0u; r < R; ++r) own.last = greater(last[r], own.last);
+        f.last = maxOfLanes(own.last);
+        ref = pop();
+      } while (ref >= REF_LEAF && ref != REF_NONE);
+    } while (ref != REF_NONE);
+  } while (orOfLanes(waiting) != 0u);
+  Hits hits;
+  FOR_RAYS (uint r = 0u; r < R; ++r) hits.slot[r] = best[r];
+  return hits;
+}

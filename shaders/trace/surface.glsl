@@ -1,0 +1,57 @@
+// What a ray has hit: the point on the triangle or sphere, its shading normal and its material.
+#include "resources.glsl"
+#include "shared/point.h"
+#include "trace/sphere_hit.glsl"
+
+struct Surface {
+  vec3 position;   // shared/point.h
+  vec3 geometric;
+  vec3 normal;     // unit shading normal
+  float t;
+  float offset;
+  uint material;
+  vec3 weights;    // of the corners
+  uint id;
+};
+
+Surface surfaceAt(vec3 origin, vec3 direction, uint slot) {
+  const int texel = int(slot * 3u);
+  const uvec4 first = texelFetch(triangleTexels, texel);
+  const vec3 a = texelVec3(first);
+  const vec3 b = texelVec3(texelFetch(triangleTexels, texel + 1));
+  const uvec4 last = texelFetch(triangleTexels, texel + 2);
+  Point p = pointAt(origin, direction, a, b, texelVec3(last), last.w != 0u);
+  if (HAS_SPHERES) {
+    if (last.w == IS_SPHERE) p = sphereHitAt(origin, direction, params.tmin, a, b.x);
+  }
+
+  Surface s;
+  s.position = p.position;
+  s.geometric = p.geometric;
+  s.t = p.t;
+  s.offset = p.offset;
+  s.normal = p.geometric;
+  s.material = 0u;
+  s.weights = p.weights;
+  s.id = first.w;
+  if (HAS_NORMALS || HAS_MATERIALS) {
+    const uvec4 attributes = texelFetch(attributeTexels, int(slot));
+    s.material = attributes.x;
+    if (HAS_NORMALS) {
+      const bool smoothed = attributes.y != NO_NORMAL;
+      const ivec3 index = ivec3(attributes.yzw);
+      const vec3 na = texelVec3(texelFetch(normalTexels, index.x));
+      const vec3 nb = texelVec3(texelFetch(normalTexels, index.y));
+      const vec3 nc = texelVec3(texelFetch(normalTexels, index.z));
+      s.normal = smoothed ? shadingNormal(p, na, nb, nc) : p.geometric;
+    }
+  }
+  return s;
+}
+
+// Origin of a ray that leaves the surface along `direction`: offset to that side by the rounding of the
+// hit point itself.
+vec3 offsetOrigin(Surface s, vec3 direction) {
+  const float side = dotProduct(s.geometric, direction) < 0.0 ? -s.offset : s.offset;
+  return s.position + s.geometric * side;
+}
