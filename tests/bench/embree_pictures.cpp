@@ -2,8 +2,8 @@
 // them with laver's.
 #include "image/io.h"
 #include "lab/chart/errors.h"
-#include "render/command_line.h"
-#include "render/harness.h"
+#include "pictures/command_line.h"
+#include "pictures/harness.h"
 
 namespace laver::test {
 namespace {

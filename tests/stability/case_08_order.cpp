@@ -7,7 +7,7 @@
 #include <array>
 #include <bit>
 
-#include "render/harness.h"
+#include "pictures/harness.h"
 #include "stability/meshes.h"
 #include "stability/naive.h"
 #include "stability/other_trees.h"

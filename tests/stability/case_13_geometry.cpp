@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "render/harness.h"
+#include "pictures/harness.h"
 #include "stability/record.h"
 #include "stability/subject.h"
 #include "unit/scene_files.h"

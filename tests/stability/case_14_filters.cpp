@@ -2,8 +2,8 @@
 // weighted out, against the same sums in double.
 #include <gtest/gtest.h>
 
+#include "pictures/harness.h"
 #include "reference/reference.h"
-#include "render/harness.h"
 #include "stability/record.h"
 #include "stability/subject.h"
 #include "stability/surfaces.h"

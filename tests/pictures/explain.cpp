@@ -1,11 +1,11 @@
-#include "render/explain.h"
+#include "pictures/explain.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "render/harness.h"
+#include "pictures/harness.h"
 #include "render/scene_data.h"
 
 namespace laver::test {

@@ -1,8 +1,8 @@
 // Input near the limits of lavapipe: slow, under the label full.
 #include <algorithm>
 
+#include "pictures/harness.h"
 #include "reference/reference.h"
-#include "render/harness.h"
 
 namespace laver::test {
 namespace {

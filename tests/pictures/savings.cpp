@@ -1,7 +1,7 @@
 // Each thing that kernels leave out for a scene changes no bit of its picture by itself.
 #include <algorithm>
 
-#include "render/harness.h"
+#include "pictures/harness.h"
 #include "render/specialise.h"
 
 namespace laver::test {

@@ -1,13 +1,13 @@
 // Adaptive sampling: the same bits however it is cut, right at borders of counts.
-#include "render/adaptive.h"
+#include "pictures/adaptive.h"
 
 #include <cstdlib>
 
 #include "image/io.h"
+#include "pictures/command_line.h"
+#include "pictures/explain.h"
 #include "reference/filter.h"
 #include "reference/reference.h"
-#include "render/command_line.h"
-#include "render/explain.h"
 
 namespace laver::test {
 namespace {

@@ -1,5 +1,5 @@
 // The binary as a user runs it: exit codes, one-line errors, files.
-#include "render/command_line.h"
+#include "pictures/command_line.h"
 
 #include <nlohmann/json.hpp>
 

@@ -6,8 +6,8 @@
 
 #include "image/io.h"
 #include "lab/chart/choices.h"
-#include "render/child.h"
-#include "render/command_line.h"
+#include "pictures/child.h"
+#include "pictures/command_line.h"
 
 namespace laver::test {
 namespace {

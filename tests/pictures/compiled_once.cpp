@@ -1,5 +1,5 @@
 // A driver makes machine code of each kernel once, whatever the sizes of scene and film.
-#include "render/command_line.h"
+#include "pictures/command_line.h"
 
 namespace laver::test {
 namespace {

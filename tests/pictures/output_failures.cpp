@@ -1,8 +1,8 @@
 // Outputs that cannot be written: one line, exit code 1, and the old picture as it was.
 #include "image/io.h"
-#include "render/child.h"
-#include "render/command_line.h"
-#include "render/harness.h"
+#include "pictures/child.h"
+#include "pictures/command_line.h"
+#include "pictures/harness.h"
 
 namespace laver::test {
 namespace {

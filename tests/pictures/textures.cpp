@@ -3,8 +3,8 @@
 #include <random>
 
 #include "lab/explain/explain.h"
-#include "render/explain.h"
-#include "render/harness.h"
+#include "pictures/explain.h"
+#include "pictures/harness.h"
 #include "render/specialise.h"
 #include "render/texture_data.h"
 #include "unit/reference_scenes.h"

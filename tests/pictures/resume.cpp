@@ -3,8 +3,8 @@
 
 #include "core/error.h"
 #include "image/io.h"
-#include "render/command_line.h"
-#include "render/harness.h"
+#include "pictures/command_line.h"
+#include "pictures/harness.h"
 
 namespace laver::test {
 namespace {

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <numbers>
 
-#include "render/explain.h"
-#include "render/harness.h"
+#include "pictures/explain.h"
+#include "pictures/harness.h"
 
 namespace laver::test {
 namespace {

@@ -1,6 +1,6 @@
 // The window where there can be none: no display, or a build without GLFW and Dear ImGui.
 #include "image/io.h"
-#include "render/command_line.h"
+#include "pictures/command_line.h"
 
 namespace laver::test {
 namespace {

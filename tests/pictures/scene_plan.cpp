@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "render/command_line.h"
-#include "render/harness.h"
+#include "pictures/command_line.h"
+#include "pictures/harness.h"
 
 namespace laver::test {
 namespace {

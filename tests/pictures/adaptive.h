@@ -1,7 +1,7 @@
 #pragma once
 #include <utility>
 
-#include "render/harness.h"
+#include "pictures/harness.h"
 
 namespace laver::test {
 

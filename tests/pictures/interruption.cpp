@@ -9,10 +9,10 @@
 #include <fstream>
 
 #include "image/io.h"
+#include "pictures/child.h"
+#include "pictures/command_line.h"
+#include "pictures/harness.h"
 #include "reference/reference.h"
-#include "render/child.h"
-#include "render/command_line.h"
-#include "render/harness.h"
 
 namespace laver::test {
 namespace {

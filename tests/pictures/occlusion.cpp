@@ -1,6 +1,6 @@
 // The integrators av and ao beyond the ready scenes: lengths, both traversals, crops.
-#include "render/explain.h"
-#include "render/harness.h"
+#include "pictures/explain.h"
+#include "pictures/harness.h"
 
 namespace laver::test {
 namespace {

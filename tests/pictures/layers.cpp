@@ -2,9 +2,9 @@
 #include <set>
 
 #include "image/io.h"
-#include "render/command_line.h"
-#include "render/explain.h"
-#include "render/harness.h"
+#include "pictures/command_line.h"
+#include "pictures/explain.h"
+#include "pictures/harness.h"
 #include "render/specialise.h"
 
 namespace laver::test {

@@ -3,8 +3,8 @@
 #include "lab/chart/errors.h"
 #include "lab/chart/methods/methods.h"
 #include "lab/explain/explain.h"
-#include "render/explain.h"
-#include "render/harness.h"
+#include "pictures/explain.h"
+#include "pictures/harness.h"
 
 namespace laver::test {
 namespace {

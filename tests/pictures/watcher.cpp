@@ -3,9 +3,9 @@
 #include <limits>
 
 #include "image/io.h"
+#include "pictures/command_line.h"
+#include "pictures/harness.h"
 #include "reference/reference.h"
-#include "render/command_line.h"
-#include "render/harness.h"
 #include "unit/viewer.h"
 
 namespace laver::test {

@@ -1,6 +1,6 @@
 // A tree deeper than the kernels' first guess of its stack.
+#include "pictures/harness.h"
 #include "reference/reference.h"
-#include "render/harness.h"
 #include "render/specialise.h"
 
 namespace laver::test {

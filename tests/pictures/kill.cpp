@@ -6,9 +6,9 @@
 #include <thread>
 
 #include "image/io.h"
-#include "render/child.h"
-#include "render/command_line.h"
-#include "render/harness.h"
+#include "pictures/child.h"
+#include "pictures/command_line.h"
+#include "pictures/harness.h"
 
 namespace laver::test {
 namespace {

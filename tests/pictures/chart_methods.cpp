@@ -5,7 +5,7 @@
 #include "lab/chart/methods/judge.h"
 #include "lab/chart/methods/methods.h"
 #include "lab/chart/methods/quantise.h"
-#include "render/harness.h"
+#include "pictures/harness.h"
 #include "render/scene_data.h"
 #include "shared/triangle.h"
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/harness.h"
+#include "pictures/harness.h"
 
 namespace laver::test {
 namespace {

@@ -1,8 +1,8 @@
 // Every scene of scenes/ on the CPU device against the double-precision reference.
 #include <algorithm>
 
-#include "render/explain.h"
-#include "render/harness.h"
+#include "pictures/explain.h"
+#include "pictures/harness.h"
 
 namespace laver::test {
 namespace {

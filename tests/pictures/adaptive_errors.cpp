@@ -2,7 +2,7 @@
 // for all.
 #include <cmath>
 
-#include "render/adaptive.h"
+#include "pictures/adaptive.h"
 
 namespace laver::test {
 namespace {

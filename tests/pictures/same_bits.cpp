@@ -2,7 +2,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "render/harness.h"
+#include "pictures/harness.h"
 
 namespace laver::test {
 namespace {
