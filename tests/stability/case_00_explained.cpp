@@ -5,8 +5,8 @@
 #include <map>
 
 #include "lab/explain/explain.h"
+#include "pictures/harness.h"
 #include "reference/reference.h"
-#include "render/harness.h"
 #include "render/scene_data.h"
 #include "stability/record.h"
 #include "stability/subject.h"

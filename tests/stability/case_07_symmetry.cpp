@@ -5,7 +5,7 @@
 #include <functional>
 #include <map>
 
-#include "render/harness.h"
+#include "pictures/harness.h"
 #include "render/scene_data.h"
 #include "stability/exact.h"
 #include "stability/meshes.h"

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "render/harness.h"
+#include "pictures/harness.h"
 #include "stability/naive.h"
 #include "stability/record.h"
 #include "stability/scaled.h"

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "pictures/harness.h"
 #include "reference/reference.h"
-#include "render/harness.h"
 #include "stability/record.h"
 #include "stability/subject.h"
 #include "stability/surfaces.h"
@@ -51,7 +51,7 @@ std::uint64_t naiveNotFinite(const Scene& scene, const Reference& reference) {
 }
 
 LAVER_STABILITY(11, Lights, "A light at height 1 to 0, on and behind the surface") {
-  // p errs by 16 * 2^-24 (|o| + 1), as render/explain.h derives, with |o| = 2.
+  // p errs by 16 * 2^-24 (|o| + 1), as pictures/explain.h derives, with |o| = 2.
   const double deltaP = 16 * 0x1p-24 * 3.0;
   std::uint64_t pixels = 0, naive = 0, notFinite = 0, lit = 0, beyond = 0;
   double worst = 0;
@@ -65,7 +65,7 @@ LAVER_STABILITY(11, Lights, "A light at height 1 to 0, on and behind the surface
       vulkan.device = testDevice();
       vulkan.traversal = traversal;
       Stats stats;
-      const Image image = Renderer(vulkan).render(scene, {}, stats);
+      const Image image = Renderer(vulkan).render(scene, {}, stats).image;
       const Reference reference(scene);
       notFinite += stats.droppedSamples;
       naive += naiveNotFinite(scene, reference);

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "bvh/binary.h"
-#include "render/harness.h"
+#include "pictures/harness.h"
 #include "stability/meshes.h"
 #include "stability/record.h"
 #include "stability/subject.h"

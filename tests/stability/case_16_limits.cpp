@@ -1,7 +1,7 @@
 // What does not fit a device is split, or refused by the name of the limit and both numbers.
 #include <gtest/gtest.h>
 
-#include "render/harness.h"
+#include "pictures/harness.h"
 #include "render/plan.h"
 #include "stability/record.h"
 

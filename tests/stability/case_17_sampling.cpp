@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "render/harness.h"
+#include "pictures/harness.h"
 #include "stability/record.h"
 #include "stability/subject.h"
 #include "stability/surfaces.h"

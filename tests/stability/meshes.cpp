@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "core/parallel.h"
-#include "render/harness.h"
+#include "pictures/harness.h"
 
 namespace laver::stability {
 

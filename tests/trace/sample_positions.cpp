@@ -3,8 +3,8 @@
 
 #include <bit>
 
+#include "pictures/harness.h"
 #include "reference/sampler.h"
-#include "render/harness.h"
 #include "render/sampler_data.h"
 #include "vulkan/bindings.h"
 #include "vulkan/kernel.h"

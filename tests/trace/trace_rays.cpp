@@ -2,8 +2,8 @@
 #include <cstring>
 #include <random>
 
+#include "pictures/harness.h"
 #include "reference/tree.h"
-#include "render/harness.h"
 #include "render/scene_data.h"
 #include "render/traversal.h"
 #include "trace/ray_tracer.h"

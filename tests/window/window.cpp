@@ -8,9 +8,9 @@
 #include "image/false_colour.h"
 #include "image/io.h"
 #include "image/srgb.h"
-#include "render/child.h"
-#include "render/command_line.h"
-#include "render/harness.h"
+#include "pictures/child.h"
+#include "pictures/command_line.h"
+#include "pictures/harness.h"
 #include "window/screen.h"
 
 namespace laver::test {

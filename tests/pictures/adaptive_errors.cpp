@@ -1,0 +1,118 @@
+// What adaptive sampling leaves of error: no bias, what was asked for, less than as many samples
+// for all.
+#include <cmath>
+
+#include "pictures/adaptive.h"
+
+namespace laver::test {
+namespace {
+
+/// A film of `side` x `side` pixels in whose middles lie squares of 0.1 x 0.1 pixels: |n| is 1 in
+/// exactly 1 % of the area.
+Scene specks(int side) {
+  Scene scene;
+  scene.meshes.resize(1);
+  Mesh& mesh = scene.meshes[0];
+  scene.camera.toWorld = glm::dmat4(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 4, 1);
+  scene.camera.width = scene.camera.height = side;
+  const double half = 4.0 * std::tan(scene.camera.fov * std::numbers::pi / 360.0);
+  const auto world = [&](double film) { return (1.0 - 2.0 * film / side) * half; };
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const auto first = static_cast<unsigned>(mesh.positions.size());
+      for (const auto& [dx, dy] : {std::pair(0.45, 0.45), std::pair(0.55, 0.45),
+                                   std::pair(0.55, 0.55), std::pair(0.45, 0.55)})
+        mesh.positions.emplace_back(world(x + dx), world(y + dy), 0.0);
+      mesh.triangles.emplace_back(first, first + 1, first + 2);
+      mesh.triangles.emplace_back(first, first + 2, first + 3);
+    }
+  scene.filter = {Filter::Kind::Box, 0.5, 0.0, 0.0, 0.0};
+  scene.sampler.sampleCount = 256;
+  return scene;
+}
+
+/// The mean of `seeds` pictures over the truth, and its standard error.
+std::pair<double, double> meanOfSpecks(int side, int seeds) {
+  Scene scene = specks(side);
+  double sum = 0, variance = 0;
+  for (int seed = 0; seed < seeds; ++seed) {
+    scene.sampler.seed = 1000 + seed;
+    const Adaptive ours = renderTo(scene, adaptive(0.03));
+    EXPECT_GT(ours.stats.most, 2 * ours.stats.least);
+    for (int y = 0; y < side; ++y)
+      for (int x = 0; x < side; ++x) {
+        sum += static_cast<double>(ours.image.at(x, y, 2));
+        variance += 0.01 * 0.99 / static_cast<double>(ours.stats.samples.at(x, y, 0));
+      }
+  }
+  const double pixels = static_cast<double>(side) * side * seeds;
+  return {sum / pixels / 0.01, std::sqrt(variance) / pixels / 0.01};
+}
+
+TEST(Adaptive, SpecksOfOnePercentKeepTheirMean) {
+  const auto [mean, error] = meanOfSpecks(64, 6);
+  EXPECT_LT(error, 0.03);
+  EXPECT_NEAR(mean, 1.0, 3.5 * error);
+}
+
+TEST(FullAdaptive, SpecksOfOnePercentKeepTheirMeanToAFifthOfAPercent) {
+  const auto [mean, error] = meanOfSpecks(512, 44);
+  EXPECT_LT(error, 0.001);
+  EXPECT_NEAR(mean, 1.0, 0.002);
+}
+
+/// Of the pixels that asked for more than the least: the error against a converged picture.
+TEST(Adaptive, TheErrorIsWhatWasAskedFor) {
+  Scene scene = floorScene();
+  scene.sampler.sampleCount = 512;
+  constexpr double kWanted = 0.005;
+  const Adaptive ours = renderTo(scene, adaptive(kWanted));
+  Scene converged = scene;
+  converged.sampler.sampleCount = 1024;
+  converged.sampler.seed = 5;
+  const Image truth = render(converged);
+  double squares = 0, all = 0;
+  int count = 0;
+  for (int y = 0; y < 96; ++y)
+    for (int x = 0; x < 96; ++x) {
+      const auto d = static_cast<double>(ours.image.at(x, y, 0) - truth.at(x, y, 0));
+      all += d * d;
+      if (ours.stats.samples.at(x, y, 0) <= 4.0F) continue;
+      squares += d * d;
+      ++count;
+    }
+  EXPECT_GT(count, 300);
+  // Cells in steps of four and a quarter of their neighbours' get more than they need.
+  EXPECT_LT(std::sqrt(squares / count), 1.1 * kWanted);
+  EXPECT_GT(std::sqrt(squares / count), 0.3 * kWanted);
+  EXPECT_LT(std::sqrt(all / (96 * 96)), kWanted);
+}
+
+double rmse(const Image& a, const Image& b) {
+  double squares = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    const auto d = static_cast<double>(a.pixels[i]) - static_cast<double>(b.pixels[i]);
+    squares += d * d;
+  }
+  return std::sqrt(squares / static_cast<double>(a.pixels.size()));
+}
+
+TEST(Adaptive, HalfOfSobolsRaysHaveTheErrorOf64IndependentOnes) {
+  Scene scene = floorScene(192);
+  const auto errorOf = [&](Sampler::Kind kind, std::uint32_t samples, const Image& truth) {
+    scene.sampler = {samples, 0, kind};
+    return rmse(render(scene), truth);
+  };
+  scene.sampler = {512, 99, Sampler::Kind::Sobol};
+  const Image truth = render(scene);
+  scene.sampler = {4096, 0, Sampler::Kind::Sobol};
+  const Adaptive ours = renderTo(scene, adaptive(0.0045));
+  const double wanted = errorOf(Sampler::Kind::Independent, 64, truth);
+  EXPECT_LT(rmse(ours.image, truth), wanted);
+  const double rays =
+      ours.stats.average + static_cast<double>(ours.stats.pilotSamples) / (192.0 * 192.0);
+  EXPECT_GT(errorOf(Sampler::Kind::Sobol, static_cast<std::uint32_t>(2.0 * rays), truth), wanted);
+}
+
+}  // namespace
+}  // namespace laver::test

@@ -1,0 +1,51 @@
+// Input near the limits of lavapipe: slow, under the label full.
+#include <algorithm>
+
+#include "pictures/harness.h"
+#include "reference/reference.h"
+
+namespace laver::test {
+namespace {
+
+TEST(FullBig, TenMillionTriangles) {
+  // Half a gigabyte of triangles, read through texels: no storage range holds that much.
+  Scene scene;
+  scene.integrator = Integrator::Depth;
+  scene.meshes = {ball(2240, 2240, 0.05, glm::dvec3(0.0, 0.0, 4.0))};
+  ASSERT_GT(scene.meshes[0].triangles.size(), 10000000U);
+  scene.camera.width = scene.camera.height = 64;
+  Stats stats;
+  const Image image = Renderer(cpuDevice()).render(scene, {}, stats).image;
+  EXPECT_EQ(stats.triangles, scene.meshes[0].triangles.size());
+  // The ball's nearest point is 3 units away, give or take its bumps of 0.05.
+  EXPECT_NEAR(image.at(32, 32, 0), 1.0F / 3.0F, 0.01F);
+  EXPECT_EQ(image.at(0, 0, 0), 0.0F);
+}
+
+TEST(FullBig, SixtyFiveThousandSamplesAPixel) {
+  const Scene scene = smallScene("cornell-two-lights.xml", 4, 65536);
+  const Image image = render(scene), truth = Reference(scene).render().image;
+  // A sample that flips at an edge weighs 1 / 65536 of a pixel; one lost batch would show.
+  for (std::size_t i = 0; i < truth.pixels.size(); ++i)
+    EXPECT_NEAR(image.pixels[i], truth.pixels[i], 1e-4F);
+}
+
+TEST(FullBig, AFilmOf16384Pixels) {
+  // Bands of its last rows; the whole film differs in their number only.
+  Scene scene;
+  scene.meshes = {ball(60, 90, 0.05, glm::dvec3(0.0, 0.0, 3.0))};
+  scene.camera.width = scene.camera.height = 16384;
+  scene.camera.fov = 20.0;
+  RenderOptions options;
+  options.crop = Crop{0, 16000, 16384, 16384};
+  const Image image = render(scene, cpuDevice(), options);
+  EXPECT_EQ(image.height, 384);
+  EXPECT_TRUE(std::all_of(image.pixels.begin(), image.pixels.end(),
+                          [](float v) { return v > 0.0F || v == 0.0F; }));
+  EXPECT_GT(
+      std::count_if(image.pixels.begin(), image.pixels.end(), [](float v) { return v > 0.1F; }),
+      1000000);
+}
+
+}  // namespace
+}  // namespace laver::test

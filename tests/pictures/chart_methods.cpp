@@ -1,0 +1,170 @@
+// Panel C of a chart: the methods that exist only to be charted, beside laver's.
+#include <algorithm>
+#include <limits>
+
+#include "lab/chart/methods/judge.h"
+#include "lab/chart/methods/methods.h"
+#include "lab/chart/methods/quantise.h"
+#include "pictures/harness.h"
+#include "render/scene_data.h"
+#include "shared/triangle.h"
+
+namespace laver::chart {
+namespace {
+
+/// A closed ball before the camera.
+Scene ballScene() {
+  Scene scene;
+  scene.meshes.push_back(test::ball(40, 60, 0.05, {0.0, 0.0, 0.0}));
+  scene.camera.width = scene.camera.height = 64;
+  scene.camera.toWorld[3] = {0.0, 0.0, -5.0, 1.0};
+  return scene;
+}
+
+Bvh ballTree() { return packScene(ballScene(), {}, specialise(ballScene(), {})).bvh; }
+
+TEST(ChartMethods, QuantisedNodesHoldWhatTheyStandFor) {
+  for (const Bvh& bvh : {ballTree(), withTightBoxes(ballTree())}) {
+    const auto texels = quantised(bvh);
+    ASSERT_EQ(texels.size(), bvh.nodes.size() * 9);
+    double grown = 0, count = 0;
+    for (std::size_t n = 0; n < bvh.nodes.size(); ++n)
+      for (std::size_t c = 0; c < 8; ++c) {
+        const shared::Child& child = bvh.nodes[n].child[c];
+        const glm::uvec4 texel = texels[n * 9 + 1 + c];
+        EXPECT_EQ(texel.z, child.ref);
+        if (child.ref == shared::REF_NONE) continue;
+        const glm::vec3 lo = sideOf(texels[n * 9], texel.x), hi = sideOf(texels[n * 9], texel.y);
+        for (int a = 0; a < 3; ++a) {
+          EXPECT_LE(lo[a], child.lo[a]);
+          EXPECT_GE(hi[a], child.hi[a]);
+          grown += static_cast<double>((hi[a] - lo[a]) - (child.hi[a] - child.lo[a]));
+        }
+        count += 3;
+      }
+    // At most a step of 2 / 255 of the ball on each side, and far less in small nodes.
+    EXPECT_GT(grown, 0.0);
+    EXPECT_LT(grown / count, 0.01);
+  }
+}
+
+TEST(ChartMethods, TightBoxesLieWithinTheBuilders) {
+  const Bvh grown = ballTree(), tight = withTightBoxes(grown);
+  for (std::size_t n = 0; n < grown.nodes.size(); ++n)
+    for (std::size_t c = 0; c < 8; ++c) {
+      if (grown.nodes[n].child[c].ref == shared::REF_NONE) continue;
+      for (int a = 0; a < 3; ++a) {
+        EXPECT_GT(tight.nodes[n].child[c].lo[a], grown.nodes[n].child[c].lo[a]);
+        EXPECT_LT(tight.nodes[n].child[c].hi[a], grown.nodes[n].child[c].hi[a]);
+      }
+    }
+}
+
+TEST(ChartMethods, TheUsualTestLosesRaysAtEdgesAndOursNone) {
+  const auto points = chartMethods(ballScene(), "cpu", 1, {});
+  ASSERT_EQ(points.size(), 24U);
+  for (const MethodPoint& m : points) {
+    SCOPED_TRACE(m.triangles + ", " + m.boxes + ", " + m.nodes);
+    EXPECT_GT(m.nanoseconds, 0.0);
+    EXPECT_GT(m.rays, 500U);
+    if (m.triangles == "Moeller-Trumbore") {
+      EXPECT_GT(m.unexcused, m.rays / 100);
+    }
+    EXPECT_LT(m.unexcused, m.rays / 5);
+    if (m.triangles != "Moeller-Trumbore") {
+      EXPECT_LT(m.unexcused, m.rays / 100);
+    }
+    if (m.triangles != "Moeller-Trumbore" && m.boxes == "ours") {
+      EXPECT_EQ(m.unexcused, 0U);
+    }
+    if (m.triangles == "ours" && m.boxes == "ours") {
+      EXPECT_LT(m.t99, 4.0);  // as tests/stability has it
+      EXPECT_LT(m.normal99, 8.0);
+    }
+    const MethodPoint copy = methodFromJson(toJson(m));
+    EXPECT_EQ(copy.boxes, m.boxes);
+    EXPECT_EQ(copy.unexcused, m.unexcused);
+    EXPECT_EQ(copy.quartiles[1], m.quartiles[1]);
+  }
+  EXPECT_TRUE(chartMethods(ballScene(), "cpu", 1, [] { return true; }).empty());
+  EXPECT_TRUE(chartMethods(Scene(), "cpu", 1, {}).empty());
+}
+
+/// Nearest hits by laver's test, without a tree, but for which signs of the edge functions, the
+/// least and the most of them, are inside.
+std::vector<MethodHit> hitsBy(const Bvh& bvh, std::span<const MethodRay> rays,
+                              bool (*inside)(float least, float most)) {
+  std::vector<MethodHit> hits;
+  for (const MethodRay& ray : rays) {
+    const shared::Shear shear = shared::shearOf(ray.direction);
+    MethodHit hit{glm::vec3(0.0F), std::numeric_limits<float>::infinity(), shared::NO_HIT};
+    for (const shared::Triangle& t : bvh.triangles) {
+      const auto beside = [&](glm::vec3 p) { return shared::permute(shear, p - ray.origin); };
+      const glm::vec3 a = beside(t.a), b = beside(t.b), c = beside(t.c);
+      const shared::Edges e = shared::edgesOf(shear, a, b, c);
+      const float depth = shared::depthOf(e, a.z, b.z, c.z);
+      if (e.sum != 0.0F && inside(std::min({e.a, e.b, e.c}), std::max({e.a, e.b, e.c})) &&
+          depth >= 0.0F && (depth < hit.t || (depth == hit.t && t.id < hit.id)))
+        hit = {glm::vec3(0.0F), depth, t.id};
+    }
+    hits.push_back(hit);
+  }
+  return hits;
+}
+
+TEST(ChartMethods, OneWrongComparisonShowsAtEdges) {
+  const SceneData data = packScene(ballScene(), {}, specialise(ballScene(), {}));
+  const glm::vec3 origin(data.params.origin);
+  MethodJudge judge(data.bvh);
+  std::vector<MethodRay> rays;
+  for (int i = 0; i < 300; ++i) {
+    const auto at = static_cast<float>(i);
+    rays.push_back(
+        {origin, 0.0F, glm::vec3(0.4F * std::sin(at), 0.4F * std::cos(at), 0) - origin, 1e30F});
+  }
+  const auto aimed = judge.aimed(rays);
+  ASSERT_EQ(aimed.size(), rays.size());
+  judge.expect(aimed);
+  const auto unexcused = [&](bool (*inside)(float, float)) {
+    return judge.unexcused(hitsBy(data.bvh, aimed, inside));
+  };
+  EXPECT_EQ(unexcused([](float least, float most) { return least >= 0 || most <= 0; }), 0U);
+  // Edges left out; < for >=; one of the two windings forgotten.
+  EXPECT_GT(unexcused([](float least, float most) { return least > 0 || most < 0; }), 30U);
+  EXPECT_GT(unexcused([](float least, float most) { return least < 0 || most <= 0; }), 270U);
+  EXPECT_GT(unexcused([](float least, float) { return least >= 0; }), 30U);
+  EXPECT_GT(unexcused([](float, float most) { return most <= 0; }), 30U);
+}
+
+TEST(ChartMethods, AWrongAnswerIsNotExcused) {
+  const SceneData data = packScene(ballScene(), {}, specialise(ballScene(), {}));
+  MethodJudge judge(data.bvh);
+  const std::vector<MethodRay> rays{{glm::vec3(data.params.origin), 0.0F,
+                                     -glm::vec3(data.params.origin) + glm::vec3(0.01F, 0.02F, 0.0F),
+                                     1e30F}};
+  judge.expect(rays);
+  MethodHit hit{glm::vec3(0.0F), 1.0F, shared::NO_HIT};
+  EXPECT_EQ(judge.unexcused(std::span(&hit, 1)), 1U);
+  std::size_t right = 0;
+  for (std::uint32_t id = 0; id < data.bvh.triangles.size(); ++id) {
+    hit.id = id;
+    right += judge.unexcused(std::span(&hit, 1)) == 0 ? 1 : 0;
+  }
+  EXPECT_EQ(right, 1U);
+  // At an edge, either neighbour will do, and no miss.
+  const auto aimed = judge.aimed(rays);
+  ASSERT_EQ(aimed.size(), 1U);  // at a corner
+  judge.expect(aimed);
+  right = 0;
+  for (std::uint32_t id = 0; id < data.bvh.triangles.size(); ++id) {
+    hit.id = id;
+    right += judge.unexcused(std::span(&hit, 1)) == 0 ? 1 : 0;
+  }
+  EXPECT_GE(right, 3U);
+  EXPECT_LE(right, 60U);  // the poles' triangles
+  hit.id = shared::NO_HIT;
+  EXPECT_EQ(judge.unexcused(std::span(&hit, 1)), 1U);
+}
+
+}  // namespace
+}  // namespace laver::chart

@@ -1,0 +1,42 @@
+// A tree deeper than the kernels' first guess of its stack.
+#include "pictures/harness.h"
+#include "reference/reference.h"
+#include "render/specialise.h"
+
+namespace laver::test {
+namespace {
+
+/// Triangles ever larger behind one another, seen from where they are smallest: on each level of
+/// the tree a ray goes on into the smallest and leaves all others on its stack.
+Scene cone() {
+  Mesh mesh;
+  double size = 1.0;
+  for (int i = 0; i < 900; ++i, size *= 0.985) {
+    const auto first = static_cast<unsigned>(mesh.positions.size());
+    for (const glm::dvec2 p : {glm::dvec2(0.0, 1.0), glm::dvec2(0.9, -0.5), glm::dvec2(-0.9, -0.5)})
+      mesh.positions.emplace_back(size * p, 5.0 + size);
+    mesh.triangles.emplace_back(first, first + 1, first + 2);
+  }
+  Scene scene;
+  scene.integrator = Integrator::Depth;
+  scene.meshes = {mesh};
+  scene.camera.width = scene.camera.height = 16;
+  scene.camera.fov = 1e-6;
+  return scene;
+}
+
+TEST(DeepTree, KernelsAreCompiledAnewForItsStack) {
+  const Scene scene = cone();
+  const Image truth = Reference(scene).render().image;
+  for (const char* traversal : kTraversals) {
+    Stats stats;
+    const Image image = Renderer(cpuDevice(traversal)).render(scene, {}, stats).image;
+    EXPECT_GT(stats.stack, specialise(scene, {})[shared::SPEC_STACK]);
+    // All rays meet the smallest triangle at depth 5: nothing here is near an edge.
+    for (std::size_t i = 0; i < truth.pixels.size(); ++i)
+      ASSERT_NEAR(image.pixels[i], truth.pixels[i], 1e-6F) << traversal << ' ' << i;
+  }
+}
+
+}  // namespace
+}  // namespace laver::test

@@ -1,0 +1,113 @@
+// Limits, validation and errors of the Vulkan path.
+#include <algorithm>
+#include <cmath>
+
+#include "pictures/harness.h"
+
+namespace laver::test {
+namespace {
+
+TEST(Device, ValidationLayersHaveNothingToSay) {
+  VulkanOptions vulkan = cpuDevice();
+  vulkan.validate = true;
+  for (const char* name :
+       {"bunny-normals.xml", "bunny-depth.xml", "bunny-whitted.xml", "cornell-two-lights.xml"})
+    EXPECT_NO_THROW(render(smallScene(name, 64, 2), vulkan)) << name;
+  Scene empty;
+  empty.camera.width = empty.camera.height = 16;
+  EXPECT_NO_THROW(render(empty, vulkan));
+}
+
+TEST(Device, AnUnknownNameIsAnErrorThatListsWhatThereIs) {
+  VulkanOptions vulkan;
+  vulkan.device = "no such device";
+  try {
+    render(Scene{}, vulkan);
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::Device);
+    const std::string text = error.what();
+    EXPECT_NE(text.find("no usable Vulkan device matches \"no such device\"; there are 0: "),
+              std::string::npos)
+        << text;
+    EXPECT_EQ(text.find('\n'), std::string::npos);
+  }
+}
+
+TEST(Device, AnUnknownTraversalIsAUsageError) {
+  VulkanOptions vulkan = cpuDevice();
+  vulkan.traversal = "magic";
+  try {
+    render(Scene{}, vulkan);
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::Usage);
+  }
+}
+
+TEST(Device, AFlatFieldIsFlatWithEveryFilter) {
+  // A plane that fills the film: |normal| = (0, 0, 1), so blue is sum w / sum w.
+  Mesh plane;
+  plane.positions = {{-9, -9, 5}, {9, -9, 5}, {9, 9, 5}, {-9, 9, 5}};
+  plane.triangles = {{0, 1, 2}, {3, 0, 2}};
+  Scene scene;
+  scene.meshes = {plane};
+  scene.camera.width = 67;
+  scene.camera.height = 45;
+  scene.sampler.sampleCount = 3;
+  using Kind = Filter::Kind;
+  for (const Kind kind : {Kind::Gaussian, Kind::Mitchell, Kind::Tent, Kind::Box}) {
+    scene.filter.kind = kind;
+    scene.filter.radius = kind == Kind::Box ? 0.5 : kind == Kind::Tent ? 1.0 : 2.0;
+    const Image image = render(scene);
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) {
+        EXPECT_EQ(image.at(x, y, 0), 0.0F);
+        // Numerator and denominator are the same products: equal but for the last rounding.
+        EXPECT_NEAR(image.at(x, y, 2), 1.0F, 6e-8F) << x << ' ' << y;
+      }
+  }
+}
+
+TEST(Device, APacketThatMeetsTooMuchIsTracedRayByRay) {
+  // One packet sees all of a fine ball: more turns than lavapipe runs.
+  Scene scene;
+  scene.meshes = {ball(250, 500, 0.05, glm::dvec3(0.0, 0.0, 250.0))};
+  scene.camera.width = scene.camera.height = 8;
+  scene.camera.fov = 0.5;
+  scene.lights = {{glm::dvec3(0.0), glm::dvec3(1e6)}};
+  Stats stats;
+  for (const Integrator shown : {Integrator::DirectWhitted, Integrator::Depth}) {
+    scene.integrator = shown;
+    stats = {};
+    const Image image = Renderer(cpuDevice("packet64")).render(scene, {}, stats).image;
+    EXPECT_EQ(stats.traversal, "lane");
+    EXPECT_EQ(differingFloats(image, render(scene, cpuDevice("lane"))), 0U);
+    if (shown == Integrator::Depth) {
+      EXPECT_NEAR(image.at(4, 4, 0), 1.0F / 249.0F, 1e-5F);
+    }
+  }
+  // Left to itself the renderer does not try.
+  Stats own;
+  Renderer(cpuDevice()).render(scene, {}, own);
+  EXPECT_EQ(own.traversal, "lane");
+  EXPECT_EQ(own.leftOut.size() + 1, stats.leftOut.size());
+}
+
+TEST(Device, NoHoleInAClosedMeshSeenFromInside) {
+  // One sample a pixel, box filter: a ray that escapes leaves a black pixel.
+  Scene scene;
+  scene.integrator = Integrator::Depth;
+  scene.meshes = {ball(60, 90, 0.05, glm::dvec3(0.0))};
+  scene.camera.width = 1024;
+  scene.camera.height = 768;
+  scene.camera.fov = 120.0;
+  scene.filter = {Filter::Kind::Box, 0.5, 0.0, 0.0, 0.0};
+  const Image image = render(scene);
+  EXPECT_EQ(
+      std::count_if(image.pixels.begin(), image.pixels.end(), [](float v) { return !(v > 0.5F); }),
+      0);
+}
+
+}  // namespace
+}  // namespace laver::test

@@ -1,0 +1,120 @@
+#pragma once
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "core/error.h"
+#include "image/image.h"
+#include "render/observer.h"
+#include "render/renderer.h"
+#include "scene/scene.h"
+
+namespace laver::test {
+
+/// The device of all tests: by type, whatever its driver is called.
+inline VulkanOptions cpuDevice() {
+  VulkanOptions options;
+  options.device = "cpu";
+  return options;
+}
+
+/// What traces on the test device: subgroups of 8 lanes can do all.
+inline constexpr std::array kTraversals{"lane", "packet32", "packet64"};
+
+inline VulkanOptions cpuDevice(const std::string& traversal) {
+  VulkanOptions options = cpuDevice();
+  options.traversal = traversal;
+  return options;
+}
+
+inline std::filesystem::path scenesFolder() {
+  return std::filesystem::path(LAVER_SOURCE_DIR) / "scenes";
+}
+
+/// A scene of scenes/, `width` pixels wide with its film's proportions, `samples` a pixel.
+inline Scene smallScene(const std::string& name, int width, std::uint32_t samples) {
+  const std::string file = (scenesFolder() / name).string();
+  const Camera full = loadScene(file).scene.camera;
+  SceneOverrides overrides;
+  overrides.size = glm::ivec2(width, std::max(1, width * full.height / full.width));
+  overrides.sampleCount = samples;
+  return loadScene(file, overrides).scene;
+}
+
+inline Image render(const Scene& scene, const VulkanOptions& vulkan = cpuDevice(),
+                    const RenderOptions& options = {}) {
+  Stats stats;
+  Rendered rendered = Renderer(vulkan).render(scene, options, stats);
+  EXPECT_EQ(rendered.droppedSamples, 0U) << scene.file;
+  return std::move(rendered.image);
+}
+
+/// Ends a render after some passes.
+class StopAfter : public Observer {
+ public:
+  explicit StopAfter(int passes) : left_(passes) {}
+
+  bool stop() override { return left_-- == 0; }
+  /// Options with this observer, which must outlive them.
+  RenderOptions options() { return {.observers = {this}}; }
+
+ private:
+  int left_;
+};
+
+/// A closed ball of about unit radius with bumps of height `bump`; its rings begin at the poles.
+inline Mesh ball(unsigned rings, unsigned segments, double bump, glm::dvec3 centre) {
+  Mesh mesh;
+  const auto add = [&](double theta, double phi) {
+    const double r = 1.0 + bump * std::sin(20.0 * theta) * std::cos(16.0 * phi);
+    mesh.positions.push_back(centre + r * glm::dvec3(std::sin(theta) * std::cos(phi),
+                                                     std::sin(theta) * std::sin(phi),
+                                                     std::cos(theta)));
+  };
+  add(0.0, 0.0);
+  for (unsigned i = 1; i < rings; ++i)
+    for (unsigned j = 0; j < segments; ++j)
+      add(std::numbers::pi * i / rings, 2.0 * std::numbers::pi * j / segments);
+  add(std::numbers::pi, 0.0);
+  const auto at = [&](unsigned ring, unsigned j) {
+    return 1 + (ring - 1) * segments + j % segments;
+  };
+  const unsigned last = 1 + (rings - 1) * segments;
+  for (unsigned j = 0; j < segments; ++j) {
+    mesh.triangles.emplace_back(0, at(1, j), at(1, j + 1));
+    for (unsigned i = 1; i + 1 < rings; ++i) {
+      mesh.triangles.emplace_back(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+      mesh.triangles.emplace_back(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+    }
+    mesh.triangles.emplace_back(last, at(rings - 1, j + 1), at(rings - 1, j));
+  }
+  return mesh;
+}
+
+/// Pixels whose bits differ.
+inline std::size_t differingFloats(const Image& a, const Image& b) {
+  EXPECT_EQ(a.width, b.width);
+  EXPECT_EQ(a.height, b.height);
+  if (a.pixels.size() != b.pixels.size()) return std::max(a.pixels.size(), b.pixels.size());
+  const auto bits = [](float value) { return std::bit_cast<std::uint32_t>(value); };
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+    count += bits(a.pixels[i]) != bits(b.pixels[i]) ? 1 : 0;
+  return count;
+}
+
+/// All traversals give `image`'s bits.
+inline void expectSameByAll(const Image& image, const Scene& scene) {
+  for (const char* traversal : kTraversals)
+    EXPECT_EQ(differingFloats(image, render(scene, cpuDevice(traversal))), 0U)
+        << scene.file << ' ' << traversal;
+}
+
+}  // namespace laver::test

@@ -1,0 +1,284 @@
+// Layers and further pictures: what they hold, and that the picture beside them stays as it is.
+#include <set>
+
+#include "image/io.h"
+#include "pictures/command_line.h"
+#include "pictures/explain.h"
+#include "pictures/harness.h"
+#include "render/specialise.h"
+
+namespace laver::test {
+namespace {
+
+RenderOptions allLayers() {
+  RenderOptions options;
+  options.layers = {Layer::Normals,  Layer::Depth, Layer::Albedo, Layer::Uv,
+                    Layer::Position, Layer::Id,    Layer::Samples};
+  return options;
+}
+
+/// Those channels of a picture.
+Image channelsOf(const Image& image, const std::vector<std::string>& names) {
+  Image part = blackImage(image.width, image.height, names);
+  for (std::size_t c = 0; c < names.size(); ++c) {
+    const auto found = std::find(image.channels.begin(), image.channels.end(), names[c]);
+    if (found == image.channels.end()) {
+      ADD_FAILURE() << "no channel " << names[c];
+      continue;
+    }
+    const auto from = static_cast<std::size_t>(found - image.channels.begin());
+    for (std::size_t i = 0; i < part.pixels.size() / names.size(); ++i)
+      part.pixels[i * names.size() + c] = image.pixels[i * image.channels.size() + from];
+  }
+  return part;
+}
+
+/// Whether the ray through `film`, moved by `moved` pixels, meets another triangle.
+bool undecided(const Reference& reference, double moved, glm::dvec2 film) {
+  std::set<std::int64_t> ids;
+  for (int y = -1; y <= 1; ++y)
+    for (int x = -1; x <= 1; ++x) {
+      const auto hit = reference.closest(film + moved * glm::dvec2(x, y));
+      ids.insert(hit ? std::int64_t{hit->triangle} : -1);
+    }
+  return ids.size() > 1;
+}
+
+bool undecidedSample(const Scene& scene, const Reference& reference, double moved, int x, int y) {
+  const int apron = static_cast<int>(apronOf(scene.filter.radius));
+  for (int v = std::max(y - apron, 0); v <= std::min(y + apron, scene.camera.height - 1); ++v)
+    for (int u = std::max(x - apron, 0); u <= std::min(x + apron, scene.camera.width - 1); ++u)
+      for (std::uint32_t s = 0; s < scene.sampler.sampleCount; ++s)
+        if (undecided(reference, moved, glm::dvec2(reference.samplePosition(u, v, s)))) return true;
+  return false;
+}
+
+/// Pixels that differ by more than `tolerance` of 1 or the value, unless `excused` says why.
+template <class Excuse>
+void expectAlike(const Image& a, const Image& b, double tolerance, const Excuse& excused) {
+  ASSERT_EQ(a.pixels.size(), b.pixels.size());
+  int found = 0;
+  for (int y = 0; y < a.height; ++y)
+    for (int x = 0; x < a.width; ++x)
+      for (std::size_t c = 0; c < a.channels.size(); ++c) {
+        const auto p = static_cast<double>(a.at(x, y, c)), q = static_cast<double>(b.at(x, y, c));
+        if (std::abs(p - q) <= tolerance * std::max(1.0, std::abs(q)) || excused(x, y)) continue;
+        if (found++ == 0)
+          ADD_FAILURE() << a.channels[c] << " at " << x << ", " << y << ": " << p << " and " << q;
+      }
+  EXPECT_EQ(found, 0);
+}
+
+void expectLayersOfTheReference(const Scene& scene) {
+  const RenderOptions options = allLayers();
+  const Image image = render(scene, cpuDevice(), options);
+  const Reference reference(scene);
+  const Image truth = reference.render(options).image;
+  const double moved = movedBy(scene, reference);
+  ASSERT_EQ(image.channels, truth.channels);
+  const std::vector<std::string> means = {"N.X", "N.Y", "N.Z", "Albedo.R", "Albedo.G", "Albedo.B"};
+  // kTolerance of scenes.cpp. Samples fall into another facet at its edge only.
+  expectAlike(channelsOf(image, means), channelsOf(truth, means), 1e-4,
+              [&](int x, int y) { return undecidedSample(scene, reference, moved, x, y); });
+  const std::vector<std::string> points = {"Z", "P.X",         "P.Y",        "P.Z",
+                                           "u", "shape_index", "prim_index", "v"};
+  expectAlike(channelsOf(image, points), channelsOf(truth, points), 1e-4,
+              [&](int x, int y) { return undecided(reference, moved, glm::dvec2(x, y) + 0.5); });
+  for (const float samples : channelsOf(image, {"samples"}).pixels)
+    ASSERT_EQ(samples, static_cast<float>(scene.sampler.sampleCount));
+}
+
+TEST(Layers, EqualTheReference) {
+  for (const char* name : {"cornell-two-lights.xml", "mirrored-instances.xml", "curved-normals.xml",
+                           "clipped.xml", "bunny-normals.xml", "spheres.xml"}) {
+    SCOPED_TRACE(name);
+    expectLayersOfTheReference(smallScene(name, 96, 3));
+  }
+}
+
+TEST(Layers, HoldTheVerticesTextureCoordinates) {
+  // u and v of the triangle's point are its x and y; the copies list their corners otherwise.
+  for (const glm::uvec3 order : {glm::uvec3(0, 1, 2), glm::uvec3(2, 0, 1), glm::uvec3(1, 0, 2)}) {
+    Scene scene;
+    scene.camera.width = scene.camera.height = 32;
+    Mesh mesh;
+    mesh.positions = {{-1.0, -1.0, 3.0}, {1.0, -1.0, 4.0}, {0.0, 1.0, 5.0}};
+    for (const glm::dvec3& p : mesh.positions) mesh.uvs.emplace_back(p);
+    mesh.triangles = {order};
+    scene.meshes = {mesh};
+    const Image image = render(scene, cpuDevice(), allLayers());
+    const Image uv = channelsOf(image, {"u", "v"}), xy = channelsOf(image, {"P.X", "P.Y"});
+    EXPECT_GT(uv.at(16, 16, 1) * uv.at(16, 16, 1), 0.0F);
+    for (std::size_t i = 0; i < uv.pixels.size(); ++i)
+      ASSERT_NEAR(uv.pixels[i], xy.pixels[i], 1e-6F);
+    expectLayersOfTheReference(scene);
+    scene.meshes[0].uvs.clear();
+    for (const float v : channelsOf(render(scene, cpuDevice(), allLayers()), {"u", "v"}).pixels)
+      ASSERT_EQ(v, 0.0F);
+  }
+}
+
+TEST(Layers, HoldTheSignsOfNormals) {
+  const Scene scene = smallScene("curved-normals.xml", 64, 2);
+  const Image normals = channelsOf(render(scene, cpuDevice(), allLayers()), {"N.X", "N.Y", "N.Z"});
+  const auto [least, most] = std::minmax_element(normals.pixels.begin(), normals.pixels.end());
+  EXPECT_LT(*least, -0.5F);
+  EXPECT_GT(*most, 0.5F);
+}
+
+TEST(Layers, ArePositionsInTheScenesOwnSpaceAndTrianglesOfTheirMesh) {
+  // Two balls, far from 0 and large; the second is seen through the film's centre.
+  Scene scene;
+  scene.camera.width = scene.camera.height = 33;
+  scene.camera.toWorld = glm::dmat4(1.0);
+  scene.camera.toWorld[3] = glm::dvec4(5000.0, 100.0, -10.0, 1.0);
+  scene.meshes = {ball(8, 8, 0.0, glm::dvec3(5050.0, 100.0, 0.0)),
+                  ball(40, 40, 0.0, glm::dvec3(5000.0, 100.0, 0.0))};
+  const Image image = render(scene, cpuDevice(), allLayers());
+  const Image at = channelsOf(image, {"Z", "P.X", "P.Y", "P.Z", "shape_index", "prim_index"});
+  EXPECT_NEAR(at.at(16, 16, 0), 9.0F, 0.01F);
+  EXPECT_NEAR(at.at(16, 16, 1), 5000.0F, 0.01F);
+  EXPECT_NEAR(at.at(16, 16, 2), 100.0F, 0.01F);
+  EXPECT_NEAR(at.at(16, 16, 3), -1.0F, 0.01F);
+  EXPECT_EQ(at.at(16, 16, 4), 1.0F);
+  EXPECT_LT(at.at(16, 16, 5), static_cast<float>(scene.meshes[1].triangles.size()));
+  const auto hit = Reference(scene).closest(glm::dvec2(16.5));
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(at.at(16, 16, 5), static_cast<float>(hit->triangle - scene.meshes[0].triangles.size()));
+  // A corner of the film meets nothing.
+  for (std::size_t c = 0; c < 4; ++c) EXPECT_EQ(at.at(0, 0, c), 0.0F);
+  for (std::size_t c = 4; c < 6; ++c) EXPECT_EQ(at.at(0, 0, c), -1.0F);
+}
+
+TEST(Layers, OfNothingAreEmpty) {
+  Scene scene;
+  scene.camera.width = 40;
+  scene.camera.height = 30;
+  const Image image = render(scene, cpuDevice(), allLayers());
+  EXPECT_EQ(channelsOf(image, {"N.X", "Albedo.R", "Z", "P.X"}).pixels,
+            std::vector<float>(std::size_t{40} * 30 * 4, 0.0F));
+  EXPECT_EQ(channelsOf(image, {"prim_index"}).pixels,
+            std::vector<float>(std::size_t{40} * 30, -1.0F));
+}
+
+TEST(Layers, LeaveThePicturesBits) {
+  Scene scene = smallScene("mirrored-instances.xml", 96, 5);
+  RenderOptions options = allLayers();
+  options.more = {Integrator::Depth, Integrator::Normals};
+  scene.integrator = Integrator::DirectWhitted;
+  scene.lights.resize(9, scene.lights.at(0));  // more than a dispatch takes
+  const Image image = render(scene, cpuDevice(), options);
+  EXPECT_EQ(differingFloats(channelsOf(image, {"R", "G", "B"}), render(scene)), 0U);
+  scene.integrator = Integrator::Depth;
+  EXPECT_EQ(differingFloats(channelsOf(image, {"depth.R", "depth.G", "depth.B"}), render(scene)),
+            0U);
+  scene.integrator = Integrator::Normals;
+  EXPECT_EQ(
+      differingFloats(channelsOf(image, {"normals.R", "normals.G", "normals.B"}), render(scene)),
+      0U);
+}
+
+TEST(Layers, AreTheSameHoweverTheyAreMade) {
+  const Scene scene = smallScene("mirrored-instances.xml", 131, 5);
+  const RenderOptions options = allLayers();
+  const Image whole = render(scene, cpuDevice(), options);
+  VulkanOptions pieces = cpuDevice(), generic = cpuDevice();
+  pieces.samplesInFlight = std::uint64_t{131} * 7 * 5;
+  generic.generic = kAllConstants;
+  for (const char* traversal : kTraversals)
+    EXPECT_EQ(differingFloats(whole, render(scene, cpuDevice(traversal), options)), 0U)
+        << traversal;
+  EXPECT_EQ(differingFloats(whole, render(scene, pieces, options)), 0U);
+  EXPECT_EQ(differingFloats(whole, render(scene, generic, options)), 0U);
+  RenderOptions cropped = options;
+  const Crop crop{30, 9, 77, 50};
+  cropped.crop = crop;
+  const Image part = render(scene, cpuDevice(), cropped);
+  Image wanted = blackImage(crop.x1 - crop.x0, crop.y1 - crop.y0, whole.channels);
+  for (int y = crop.y0; y < crop.y1; ++y)
+    for (int x = crop.x0; x < crop.x1; ++x)
+      for (std::size_t c = 0; c < whole.channels.size(); ++c)
+        wanted.at(x - crop.x0, y - crop.y0, c) = whole.at(x, y, c);
+  EXPECT_EQ(differingFloats(part, wanted), 0U);
+}
+
+TEST(Layers, OfAStoppedRenderAreCounted) {
+  const Scene scene = smallScene("cornell-two-lights.xml", 64, 8);
+  VulkanOptions vulkan = cpuDevice();
+  vulkan.samplesInFlight = 5120;  // several passes
+  Stats all;
+  Renderer(vulkan).render(scene, {}, all);
+  const int picture = static_cast<int>(all.passes);
+  ASSERT_GT(picture, 2);
+  for (const int passes : {picture - 1, picture, picture + 1}) {
+    RenderOptions options = allLayers();
+    StopAfter stop(passes);
+    options.observers = {&stop};
+    Stats stats;
+    const auto [image, reached, dropped] = Renderer(vulkan).render(scene, options, stats);
+    EXPECT_EQ(reached.wholeRows == 64, passes >= picture);
+    EXPECT_EQ(reached.unfinished, 3);  // normals, albedo, and what lies at centres
+    const Image samples = channelsOf(image, {"samples"});
+    EXPECT_EQ(samples.at(0, 0, 0), 8.0F);
+    EXPECT_EQ(samples.at(0, 63, 0) == 8.0F, passes >= picture);
+    const Image normals = channelsOf(image, {"N.X", "N.Y", "N.Z"});
+    EXPECT_EQ(std::all_of(normals.pixels.begin(), normals.pixels.end(),
+                          [](float v) { return v == 0.0F; }),
+              passes <= picture);
+  }
+}
+
+const char* const kDisney =
+    "<scene><integrator type=\"normals\"/><camera type=\"perspective\"/>"
+    "<mesh type=\"obj\"><string name=\"filename\" value=\"a.obj\"/>\n"
+    "<bsdf type=\"disney\"/></mesh></scene>";
+const char* const kTriangle = "v -1 -1 3\nv 1 -1 3\nv 0 1 3\nf 1 2 3\n";
+
+TEST_F(CommandLine, LayersAreChannelsOfTheFile) {
+  write("a.obj", kTriangle);
+  write("a.xml", kDisney);
+  for (const char* how : {"--device cpu", "--reference"}) {
+    const Outcome run = laver(std::string("a.xml -q --size 32x24 --layers normals,depth,id ") +
+                              "--integrator normals,depth " + how);
+    EXPECT_EQ(run.code, 0) << run.err;
+    const Image image = readExr(path("a.exr"));
+    const std::set<std::string> names(image.channels.begin(), image.channels.end());
+    EXPECT_EQ(names, (std::set<std::string>{"R", "G", "B", "depth.R", "depth.G", "depth.B", "N.X",
+                                            "N.Y", "N.Z", "Z", "shape_index", "prim_index"}));
+    const Image at = channelsOf(image, {"R", "G", "B", "N.Z", "depth.R", "Z", "shape_index"});
+    EXPECT_NEAR(at.at(16, 12, 2), 1.0F, 1e-6F);
+    EXPECT_NEAR(at.at(16, 12, 3), 1.0F, 1e-6F);  // by the winding, away from the camera
+    EXPECT_NEAR(at.at(16, 12, 4), 1.0F / 3.0F, 1e-3F);
+    EXPECT_NEAR(at.at(16, 12, 5), 3.0F, 1e-2F);
+    EXPECT_EQ(at.at(16, 12, 6), 0.0F);
+  }
+}
+
+TEST_F(CommandLine, TheAlbedoLayerNeedsMaterials) {
+  write("a.obj", kTriangle);
+  write("a.xml", kDisney);
+  const Outcome run = laver("a.xml --device cpu --layers albedo");
+  EXPECT_EQ(run.code, 3);
+  EXPECT_NE(run.err.find("a.xml:2:2: error: laver has no bsdf of type \"disney\""),
+            std::string::npos)
+      << run.err;
+  EXPECT_EQ(laver("a.xml --device cpu -q --size 8x8 --integrator depth,direct_whitted").code, 3);
+  const Outcome uv = laver("a.xml --device cpu -q --size 8x8 --layers uv");
+  EXPECT_EQ(uv.code, 0);
+  EXPECT_NE(uv.err.find("laver: warning: \"a.obj\" has no texture coordinates"), std::string::npos)
+      << uv.err;
+}
+
+TEST_F(CommandLine, LayersThatThereAreNotAreRefused) {
+  write("a.xml", kFirstScene);
+  for (const char* option :
+       {"--layers foo", "--layers id,id", "--layers id,", "--integrator albedo",
+        "--integrator depth,depth", "--integrator shading_normal"}) {
+    const Outcome run = laver(std::string("a.xml ") + option);
+    EXPECT_EQ(run.code, 2) << option;
+    EXPECT_EQ(lines(run.err), 1) << run.err;
+  }
+}
+
+}  // namespace
+}  // namespace laver::test

@@ -1,0 +1,133 @@
+// Each thing that kernels leave out for a scene changes no bit of its picture by itself.
+#include <algorithm>
+
+#include "pictures/harness.h"
+#include "render/specialise.h"
+
+namespace laver::test {
+namespace {
+
+/// Scenes that differ in what they need.
+std::vector<Scene> scenes() {
+  std::vector<Scene> all;
+  // Vertex normals and albedos at once, a tent, strata.
+  all.push_back(smallScene("curved-normals.xml", 35, 2));
+  all[0].integrator = Integrator::DirectWhitted;
+  all[0].sampler.kind = Sampler::Kind::Stratified;
+  all[0].meshes[0].bsdf.albedo = glm::dvec3(0.1, 0.5, 0.9);
+  // Neither; no light; a box.
+  all.push_back(smallScene("cornell-two-lights.xml", 35, 1));
+  all[1].lights.clear();
+  all[1].filter.kind = Filter::Kind::Box;
+  all[1].filter.radius = 0.5;
+  // 34 triangles; Mitchell, Sobol.
+  all.push_back(smallScene("cornell-two-lights.xml", 35, 2));
+  all[2].sampler.kind = Sampler::Kind::Sobol;
+  // One albedo; a gaussian, independent samples.
+  all.push_back(all[2]);
+  all[3].filter = {};
+  all[3].sampler.kind = Sampler::Kind::Independent;
+  for (Mesh& mesh : all[3].meshes) mesh.bsdf.albedo = all[2].meshes[0].bsdf.albedo;
+  // A checker and a background of one radiance: no picture.
+  all.push_back(all[3]);
+  all[4].meshes[1].bsdf.texture = Texture();
+  all[4].environment = Environment();
+  return all;
+}
+
+struct Saving {
+  const char* name;
+  std::uint32_t constant;
+};
+
+void PrintTo(const Saving& saving, std::ostream* out) { *out << saving.name; }
+
+class Savings : public testing::TestWithParam<Saving> {};
+
+TEST_P(Savings, KeepTheBits) {
+  const std::uint32_t one = 1U << GetParam().constant;
+  bool saved = false;
+  for (const Scene& scene : scenes()) {
+    const SpecConstants constants = specialise(scene, {});
+    if (generalise(constants, one) == constants) continue;
+    // One scene by all traversals.
+    for (const char* traversal : kTraversals) {
+      if (saved && traversal != std::string("packet32")) continue;
+      VulkanOptions vulkan = cpuDevice(traversal);
+      const Image needed = render(scene, vulkan);
+      vulkan.generic = one;
+      EXPECT_EQ(differingFloats(needed, render(scene, vulkan)), 0U)
+          << scene.file << ' ' << traversal;
+    }
+    saved = true;
+  }
+  EXPECT_TRUE(saved);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, Savings,
+    testing::Values(
+        Saving{"Stack", shared::SPEC_STACK}, Saving{"Normals", shared::SPEC_NORMALS},
+        Saving{"Albedos", shared::SPEC_ALBEDOS}, Saving{"Lights", shared::SPEC_LIGHTS},
+        Saving{"JumpLevels", shared::SPEC_JUMP_LEVELS}, Saving{"Filter", shared::SPEC_FILTER},
+        Saving{"Apron", shared::SPEC_APRON}, Saving{"Textures", shared::SPEC_TEXTURES},
+        Saving{"Images", shared::SPEC_IMAGES}, Saving{"Background", shared::SPEC_BACKGROUND},
+        Saving{"Hits", shared::SPEC_HITS}, Saving{"DarkSides", shared::SPEC_DARK_SIDES},
+        Saving{"IndexBytes", shared::SPEC_INDEX_BYTES}, Saving{"Spheres", shared::SPEC_SPHERES}),
+    [](const auto& instance) { return instance.param.name; });
+
+TEST(WithoutALight, NoTreeIsUploadedAndThePictureIsBlack) {
+  Scene scene = smallScene("cornell-two-lights.xml", 16, 1);
+  scene.lights.clear();
+  Stats stats;
+  const Image image = Renderer(cpuDevice()).render(scene, {}, stats).image;
+  EXPECT_EQ(stats.triangles, 0U);
+  EXPECT_EQ(stats.attributeBytes, 0U);
+  for (const float value : image.pixels) EXPECT_EQ(value, 0.0F);
+}
+
+TEST(WithoutALight, ABackgroundIsSeenBesideTheMeshes) {
+  Scene scene = smallScene("cornell-two-lights.xml", 32, 1);
+  scene.lights.clear();
+  scene.filter = {};        // no weight is negative
+  scene.camera.fov = 90.0;  // the box is 9 pixels wide
+  scene.environment = Environment();
+  const Image image = render(scene);
+  const auto ends = std::minmax_element(image.pixels.begin(), image.pixels.end());
+  EXPECT_EQ(*ends.first, 0.0F);
+  EXPECT_NEAR(*ends.second, 1.0F, 1e-6F);  // a quotient of sums
+}
+
+TEST(WithoutALight, LayersShowWhatEachShowsAlone) {
+  // The picture itself reads nothing; one layer reads normals, another materials and textures.
+  Scene scene = smallScene("curved-normals.xml", 16, 2);
+  scene.integrator = Integrator::DirectWhitted;
+  scene.lights.clear();
+  scene.meshes.push_back(scene.meshes[0]);
+  for (glm::dvec3& p : scene.meshes[1].positions) p += glm::dvec3(0.3, 0.0, 0.3);
+  scene.meshes[1].bsdf.albedo = glm::dvec3(0.1, 0.5, 0.9);
+  for (const bool textured : {false, true}) {
+    if (textured) scene.meshes[1].bsdf.texture = Texture();
+    RenderOptions options;
+    options.layers = {Layer::Normals, Layer::Albedo, Layer::Id};
+    const Image all = render(scene, cpuDevice(), options);
+    std::size_t first = 3;
+    for (const Layer layer : options.layers) {
+      RenderOptions one;
+      one.layers = {layer};
+      const Image alone = render(scene, cpuDevice(), one);
+      float most = 0.0F;
+      for (int y = 0; y < all.height; ++y)
+        for (int x = 0; x < all.width; ++x)
+          for (std::size_t c = 3; c < alone.channels.size(); ++c) {
+            EXPECT_EQ(all.at(x, y, first + c - 3), alone.at(x, y, c)) << alone.channels[c];
+            most = std::max(most, alone.at(x, y, c));
+          }
+      EXPECT_GT(most, 0.0F) << alone.channels.back();
+      first += alone.channels.size() - 3;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace laver::test

@@ -1,0 +1,167 @@
+// Every scene of scenes/ on the CPU device against the double-precision reference.
+#include <algorithm>
+
+#include "pictures/explain.h"
+#include "pictures/harness.h"
+
+namespace laver::test {
+namespace {
+
+// The promise of the product: float arithmetic over unit-sized data keeps values of about 1 within
+// some tens of ulp (6e-8), so 1e-4 leaves room for grazing angles and none for another surface.
+constexpr double kTolerance = 1e-4;
+
+std::vector<std::string> sceneNames() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(scenesFolder()))
+    if (entry.path().extension() == ".xml") names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+void expectMatch(const Scene& scene, bool noriCompat = false) {
+  RenderOptions options;
+  options.noriCompat = noriCompat;
+  const Image image = render(scene, cpuDevice(), options);
+  const Reference reference(scene);
+  const Image truth = reference.render(options).image;
+  const Explanation e = explain(image, truth, scene, reference, kTolerance);
+  EXPECT_EQ(e.unexplained, 0) << e.first;
+  EXPECT_LT(e.differing, image.width * image.height / 50);
+  // A black picture would agree with a black reference.
+  EXPECT_GT(
+      std::count_if(truth.pixels.begin(), truth.pixels.end(), [](float v) { return v > 0.01F; }),
+      image.width * image.height / 20);
+}
+
+class EveryScene : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryScene, EqualsTheReference) { expectMatch(smallScene(GetParam(), 160, 4)); }
+
+std::string testName(const testing::TestParamInfo<std::string>& parameter) {
+  std::string name = parameter.param.substr(0, parameter.param.find('.'));
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::ValuesIn(sceneNames()), testName);
+
+class FullSizeScene : public testing::TestWithParam<std::string> {};
+
+TEST_P(FullSizeScene, EqualsTheReference) {
+  expectMatch(loadScene((scenesFolder() / GetParam()).string()).scene);
+}
+INSTANTIATE_TEST_SUITE_P(Full, FullSizeScene, testing::ValuesIn(sceneNames()), testName);
+
+TEST(Scenes, NamesAreThere) { EXPECT_GE(sceneNames().size(), 7U); }
+
+TEST(Scenes, EveryFilterEqualsTheReferenceExactAndByNorisTable) {
+  Scene scene = smallScene("cornell-two-lights.xml", 96, 3);
+  using Kind = Filter::Kind;
+  for (const Kind kind : {Kind::Gaussian, Kind::Mitchell, Kind::Tent, Kind::Box}) {
+    scene.filter = {};
+    scene.filter.kind = kind;
+    if (kind == Kind::Tent) scene.filter.radius = 1.0;
+    if (kind == Kind::Box) scene.filter.radius = 0.5;
+    for (const bool compat : {false, true}) {
+      SCOPED_TRACE(testing::Message()
+                   << "filter " << static_cast<int>(kind) << " compat " << compat);
+      expectMatch(scene, compat);
+    }
+  }
+  scene.filter = {Filter::Kind::Gaussian, 3.7, 1.1, 0.0, 0.0};
+  expectMatch(scene);
+}
+
+TEST(Scenes, EverySamplerEqualsTheReference) {
+  Scene scene = smallScene("cornell-two-lights.xml", 96, 6);
+  for (const Sampler::Kind kind : {Sampler::Kind::Stratified, Sampler::Kind::Sobol}) {
+    SCOPED_TRACE(samplerName(kind));
+    scene.sampler.kind = kind;
+    expectMatch(scene);
+  }
+}
+
+TEST(Scenes, ManyLightsAreSummedOverSeveralDispatches) {
+  Scene scene = smallScene("cornell-two-lights.xml", 64, 2);
+  const PointLight first = scene.lights.at(0);
+  scene.lights.clear();
+  for (int i = 0; i < 37; ++i) {
+    PointLight light = first;
+    light.position += glm::dvec3(0.01 * i, -0.005 * i, 0.007 * i);
+    light.radiance /= 37.0;
+    scene.lights.push_back(light);
+  }
+  expectMatch(scene);
+}
+
+TEST(Scenes, FourThousandSamplesAPixelLoseNone) {
+  // One invocation may run 65,535 loop iterations on lavapipe; a sample lost there would show.
+  expectMatch(smallScene("cornell-two-lights.xml", 12, 4096));
+}
+
+TEST(Scenes, WithoutLightsThePictureIsBlack) {
+  Scene scene = smallScene("cornell-two-lights.xml", 32, 1);
+  scene.lights.clear();
+  const Image image = render(scene);
+  EXPECT_TRUE(
+      std::all_of(image.pixels.begin(), image.pixels.end(), [](float v) { return v == 0.0F; }));
+}
+
+TEST(Scenes, WithoutMeshesThePictureIsBlack) {
+  Scene scene;
+  scene.camera.width = 40;
+  scene.camera.height = 30;
+  const Image image = render(scene);
+  EXPECT_EQ(image.width, 40);
+  EXPECT_TRUE(
+      std::all_of(image.pixels.begin(), image.pixels.end(), [](float v) { return v == 0.0F; }));
+}
+
+TEST(Scenes, CopiesOfATriangleGoToTheFirstHoweverTheyListTheirCorners) {
+  // Every triangle of a soup six times, corners permuted; the copies face both ways and carry
+  // other albedos, so the wrong winner shows.
+  Scene scene = smallScene("cornell-two-lights.xml", 96, 2);
+  Mesh all;
+  for (const Mesh& mesh : scene.meshes)
+    for (const glm::uvec3& t : mesh.triangles) {
+      for (int c = 0; c < 3; ++c) all.positions.push_back(mesh.positions[t[c]]);
+      const auto first = static_cast<unsigned>(all.positions.size() - 3);
+      all.triangles.emplace_back(first, first + 1, first + 2);
+    }
+  scene.meshes = {all};
+  scene.meshes[0].bsdf.albedo = glm::dvec3(0.9, 0.1, 0.1);
+  for (const glm::uvec3 order : {glm::uvec3(1, 2, 0), glm::uvec3(2, 0, 1), glm::uvec3(0, 2, 1),
+                                 glm::uvec3(1, 0, 2), glm::uvec3(2, 1, 0)}) {
+    Mesh copy = all;
+    for (auto& t : copy.triangles)
+      t = {t[static_cast<int>(order.x)], t[static_cast<int>(order.y)],
+           t[static_cast<int>(order.z)]};
+    copy.bsdf.albedo = glm::dvec3(0.1, 0.9, 0.1);
+    scene.meshes.push_back(copy);
+  }
+  const Image six = render(scene);
+  scene.meshes.resize(1);
+  EXPECT_EQ(differingFloats(six, render(scene)), 0U);
+}
+
+TEST(Scenes, ADifferenceThatNoDecisionExplainsIsFound) {
+  // The explanation must be able to fail: brighten one pixel in the middle of a wall.
+  const Scene scene = smallScene("cornell-two-lights.xml", 64, 2);
+  const Reference reference(scene);
+  const Image truth = reference.render().image;
+  Image wrong = truth;
+  int changed = 0;
+  for (int y = 0; y < 64 && changed == 0; ++y)
+    for (int x = 0; x < 64 && changed == 0; ++x) {
+      const Image before = wrong;
+      wrong.at(x, y, 1) += 0.001F;
+      const Explanation e = explain(wrong, truth, scene, reference, kTolerance);
+      ASSERT_EQ(e.differing, 1);
+      changed = e.unexplained;
+      if (changed == 0) wrong = before;
+    }
+  EXPECT_EQ(changed, 1);
+}
+
+}  // namespace
+}  // namespace laver::test

@@ -1,0 +1,46 @@
+// Shadow rays: no acne, however far the light.
+#include <algorithm>
+#include <numbers>
+
+#include "pictures/explain.h"
+#include "pictures/harness.h"
+
+namespace laver::test {
+namespace {
+
+/// A ball lit from afar, one sample a pixel; the light is as bright on it at any distance.
+Scene litBall(double bump, double distance) {
+  const glm::dvec3 centre(0.3, 0.2, 0.1);
+  Scene scene;
+  scene.integrator = Integrator::DirectWhitted;
+  scene.meshes = {ball(150, 300, bump, centre)};
+  scene.camera.width = scene.camera.height = 300;
+  scene.camera.toWorld[3] = glm::dvec4(0.3, 0.2, -5.0, 1.0);
+  scene.filter = {Filter::Kind::Box, 0.5, 0.0, 0.0, 0.0};
+  PointLight light;
+  light.position = centre + glm::normalize(glm::dvec3(1.0, 0.7, -0.6)) * distance;
+  light.radiance = glm::dvec3(std::numbers::pi * distance * distance);
+  scene.lights = {light};
+  return scene;
+}
+
+class Shadows : public testing::TestWithParam<double> {};
+
+TEST_P(Shadows, NoFacetShadesItselfOrItsNeighbour) {
+  for (const double bump : {0.0, 0.05}) {
+    const Scene scene = litBall(bump, GetParam());
+    const Image image = render(scene);
+    const Reference reference(scene);
+    const Image truth = reference.render().image;
+    const auto lit =
+        std::count_if(truth.pixels.begin(), truth.pixels.end(), [](float v) { return v > 0.05F; });
+    EXPECT_GT(lit, 20000);
+    const Explanation e = explain(image, truth, scene, reference, 1e-3);
+    EXPECT_EQ(e.unexplained, 0) << "bump " << bump << ": " << e.first;
+    EXPECT_LT(e.differing, 20);
+  }
+}
+INSTANTIATE_TEST_SUITE_P(LightDistance, Shadows, testing::Values(3.0, 30.0, 3e3, 3e4, 1e6));
+
+}  // namespace
+}  // namespace laver::test
