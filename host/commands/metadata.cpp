@@ -46,7 +46,7 @@ Metadata metadataOf(const Scene& scene, const Rendered& rendered, const Stats& s
                        {"driver", stats.driver},
                        {"sceneHash", fileHash(scene.file)},
                        {"seed", std::to_string(scene.sampler.seed)},
-                       {"sampler", std::string(samplerName(scene.sampler.kind))},
+                       {"sampler", std::string(scene.sampler.row->name)},
                        {"renderTimeSeconds", renderSeconds},
                        {"samplesPerPixel", static_cast<int>(rendered.reached.samples)},
                        {"worldToCamera", worldToCamera},

@@ -3,6 +3,7 @@
 #include "core/parallel.h"
 #include "reference/camera.h"
 #include "reference/film.h"
+#include "reference/integrators.h"
 #include "reference/sampler.h"
 #include "reference/world.h"
 
@@ -67,7 +68,7 @@ Rendered Reference::render(const RenderOptions& options) const {
   std::vector<Image> parts;
   parts.push_back(std::move(all.image));
   for (std::size_t i = 0; i < more.size(); ++i) {
-    Rendered one = picture(more[i].integrator, options, {i + 1, count}, observers);
+    Rendered one = picture(useOf(impl_->scene, more[i].integrator), options, {i + 1, count}, observers);
     one.image.channels = more[i].channels;
     if (!one.whole()) ++all.reached.unfinished;
     all.droppedSamples += one.droppedSamples;
@@ -85,7 +86,7 @@ Rendered Reference::render(const RenderOptions& options) const {
   return all;
 }
 
-Rendered Reference::picture(Integrator shown, const RenderOptions& options, Place place,
+Rendered Reference::picture(const IntegratorUse& shown, const RenderOptions& options, Place place,
                             Observers& observers) const {
   const auto radianceAt = [&](glm::dvec2 film, glm::dvec2 numbers) {
     return reference::radiance(impl_->world, impl_->scene, shown, impl_->view.through(film),
@@ -93,7 +94,7 @@ Rendered Reference::picture(Integrator shown, const RenderOptions& options, Plac
   };
   return reference::renderFilm(
       impl_->scene, options,
-      {radianceAt, shown == Integrator::ShadingNormal, place.index, place.count}, observers);
+      {radianceAt, shown.row->needs.negative, place.index, place.count}, observers);
 }
 
 std::optional<CentreHit> Reference::centre(glm::dvec2 film) const {

@@ -62,7 +62,7 @@ class Reference {
   struct Place {
     std::size_t index, count;
   };
-  Rendered picture(Integrator shown, const RenderOptions& options, Place place,
+  Rendered picture(const IntegratorUse& shown, const RenderOptions& options, Place place,
                    Observers& observers) const;
   Image centres(const RenderOptions& options) const;
 

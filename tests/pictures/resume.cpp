@@ -10,11 +10,10 @@ namespace laver::test {
 namespace {
 
 using Keep = FilmState::Keep;
-using Kind = Sampler::Kind;
 
-Scene sceneOf(Kind kind, std::uint32_t samples) {
+Scene sceneOf(const SamplerRow* kind, std::uint32_t samples) {
   Scene scene = smallScene("cornell-two-lights.xml", 64, samples);
-  scene.sampler.kind = kind;
+  scene.sampler.row = kind;
   return scene;
 }
 
@@ -47,8 +46,9 @@ class Resume : public CommandLine {
 
 TEST_F(Resume, AfterAnInterruptionAnywhereByLaneAndPackets) {
   for (const auto& [traversal, kind] :
-       {std::pair("lane", Kind::Sobol), std::pair("packet64", Kind::Sobol),
-        std::pair("packet32", Kind::Stratified), std::pair("packet64", Kind::Independent)}) {
+       {std::pair("lane", &samplers::sobol), std::pair("packet64", &samplers::sobol),
+        std::pair("packet32", &samplers::stratified),
+        std::pair("packet64", &samplers::independent)}) {
     Renderer renderer(inPieces(traversal));
     const Scene scene = sceneOf(kind, 16);
     Stats stats;
@@ -57,7 +57,7 @@ TEST_F(Resume, AfterAnInterruptionAnywhereByLaneAndPackets) {
     for (const int passes : {0, 3, 4, 6, static_cast<int>(stats.passes) - 1})
       EXPECT_EQ(differingFloats(whole, inTwoGoes(renderer, scene, scene, passes, Keep::WhenEnded)),
                 0U)
-          << traversal << ' ' << samplerName(kind) << " after " << passes << " passes";
+          << traversal << ' ' << kind->name << " after " << passes << " passes";
     EXPECT_EQ(differingFloats(whole, inTwoGoes(renderer, scene, scene, 6, Keep::Always)), 0U);
   }
 }
@@ -66,12 +66,12 @@ TEST_F(Resume, SobolGoesOnBeyondTheCountItWasBegunWith) {
   for (const auto& [traversal, few] : {std::pair("lane", 16U), std::pair("packet64", 1U),
                                        std::pair("packet32", 10U), std::pair("packet64", 16U)}) {
     Renderer renderer(inPieces(traversal));
-    const Scene many = sceneOf(Kind::Sobol, 64);
+    const Scene many = sceneOf(&samplers::sobol, 64);
     Stats stats;
     const Image whole = renderer.render(many, {}, stats).image;
     for (const int passes : {3, 1000})
-      EXPECT_EQ(differingFloats(whole, inTwoGoes(renderer, sceneOf(Kind::Sobol, few), many, passes,
-                                                 Keep::Always)),
+      EXPECT_EQ(differingFloats(whole, inTwoGoes(renderer, sceneOf(&samplers::sobol, few), many,
+                                                 passes, Keep::Always)),
                 0U)
           << traversal << " from " << few << " after " << passes << " passes";
   }
@@ -79,11 +79,11 @@ TEST_F(Resume, SobolGoesOnBeyondTheCountItWasBegunWith) {
 
 TEST_F(Resume, IsTheSameInOneBand) {
   Renderer pieces(inPieces("packet")), one(cpuDevice());
-  const Scene scene = sceneOf(Kind::Sobol, 24);
+  const Scene scene = sceneOf(&samplers::sobol, 24);
   Stats stats;
   const Image whole = one.render(scene, {}, stats).image;
   FilmState state(Keep::Always);
-  pieces.render(sceneOf(Kind::Sobol, 16), StopAfter(7).options(), state, stats);
+  pieces.render(sceneOf(&samplers::sobol, 16), StopAfter(7).options(), state, stats);
   EXPECT_EQ(differingFloats(whole, one.render(scene, {}, state, stats).image), 0U);
 }
 
@@ -92,9 +92,9 @@ TEST_F(Resume, AnEndedOneIsThePictureOfBothGoes) {
   Renderer renderer(inPieces("packet"));
   FilmState state(Keep::Always);
   Stats stats;
-  const Image before = renderer.render(sceneOf(Kind::Sobol, 16), {}, state, stats).image;
+  const Image before = renderer.render(sceneOf(&samplers::sobol, 16), {}, state, stats).image;
   const auto [after, reached, dropped] =
-      renderer.render(sceneOf(Kind::Sobol, 64), StopAfter(13).options(), state, stats);
+      renderer.render(sceneOf(&samplers::sobol, 64), StopAfter(13).options(), state, stats);
   EXPECT_EQ(reached.rows, 64);
   EXPECT_GT(reached.wholeRows, 0);
   EXPECT_EQ(reached.samples, 16U);
@@ -159,7 +159,7 @@ TEST_F(Resume, WhatCannotGoOnIsRefusedInOneLine) {
 }
 
 TEST_F(Resume, AnotherSceneOrCountIsRefused) {
-  const Scene scene = sceneOf(Kind::Stratified, 16);
+  const Scene scene = sceneOf(&samplers::stratified, 16);
   Renderer renderer(inPieces("packet"));
   Stats stats;
   const auto reasonOf = [&](const Scene& first, const Scene& then, Keep keep) {
@@ -175,12 +175,12 @@ TEST_F(Resume, AnotherSceneOrCountIsRefused) {
     return std::string();
   };
   EXPECT_EQ(
-      reasonOf(scene, sceneOf(Kind::Stratified, 64), Keep::Always),
+      reasonOf(scene, sceneOf(&samplers::stratified, 64), Keep::Always),
       "begun with 16 samples a pixel, 64 are asked for: this sampler's samples depend on their "
       "count, those of sobol do not");
-  EXPECT_EQ(
-      reasonOf(sceneOf(Kind::Sobol, 16), sceneOf(Kind::Sobol, 64), Keep::WhenEnded).substr(0, 30),
-      "it was begun without --resume:");
+  EXPECT_EQ(reasonOf(sceneOf(&samplers::sobol, 16), sceneOf(&samplers::sobol, 64), Keep::WhenEnded)
+                .substr(0, 30),
+            "it was begun without --resume:");
   const char* const changed = "the scene or a file that it names has changed";
   Scene other = scene;
   other.meshes[0].positions[0].x += 1e-6;
