@@ -35,7 +35,7 @@ std::string describe(const DeviceInfo& device, std::size_t index, bool isDefault
   text += row("Vulkan", versionText(device.apiVersion));
   if (why.empty()) {
     text += row("subgroup size", std::to_string(device.subgroupSize));
-    text += row("traversal", bestTraversal(device));
+    text += row("traversal", runsPackets(device) ? "packet" : "lane");
   }
   text += row("maxStorageBufferRange", bytes(limits.maxStorageBufferRange));
   text += row("maxTexelBufferElements", std::to_string(limits.maxTexelBufferElements));

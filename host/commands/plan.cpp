@@ -13,7 +13,7 @@ ExitCode run(const PlanCommand& command) {
   checkOptions(command, loaded.scene);
   const Instance instance(false);
   const DeviceInfo device = deviceInfo(choosePhysicalDevice(instance, command.vulkan.device));
-  const ScenePlan plan = planScene(loaded.scene, command.options, command.vulkan.traversal, device);
+  const ScenePlan plan = planScene(loaded.scene, command.options, command.vulkan, device);
   std::cout << (command.json ? plan.json().dump(2) + '\n' : plan.text());
   flushStandardOutput();
   return ExitCode::Ok;

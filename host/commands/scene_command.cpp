@@ -21,7 +21,7 @@ void checkOptions(const SceneCommand& command, const Scene& scene) {
     throw Error(ExitCode::Usage,
                 fmt::format("--crop {},{},{},{}: expected 0 <= x0 < x1 <= {}, 0 <= y0 < y1 <= {}",
                             crop->x0, crop->y0, crop->x1, crop->y1, camera.width, camera.height));
-  if (command.options.error != 0.0 && mostOf(scene.sampler) == 0)
+  if (command.options.error != 0.0 && maxSamplesOf(scene.sampler) == 0)
     throw Error(ExitCode::Usage,
                 fmt::format("--error: {} samples a pixel are too few to choose from; --spp {} is "
                             "the least",

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
+#include "render/materials.h"
 #include "render/reasons.h"
 #include "render/renderer.h"
 #include "render/sample_map.h"
-#include "render/sampler_data.h"
+#include "render/pack_parts.h"
 #include "render/traversal.h"
 #include "scene/layers.h"
 
@@ -24,7 +25,7 @@ std::uint32_t likelyStack(const Scene& scene) {
 /// GLSL file of a filter's weights.
 std::string filterText(const Filter& filter, bool noriTable) {
   if (noriTable) return "table";
-  if (!filter.row->products) return filter.row->name;
+  if (!filter.row->narrowForm) return filter.row->name;
   // exp(alpha * apron) and its inverse must stay far from the range of floats.
   const double alpha = 0.5 / (filter.stddev * filter.stddev);
   const std::uint32_t apron = apronOf(filter.radius);
@@ -38,8 +39,8 @@ void addOnce(std::vector<std::string>& names, const std::string& name) {
 
 std::vector<std::string> bsdfsOf(const Scene& scene) {
   std::vector<std::string> names;
-  for (const Mesh& mesh : scene.meshes) addOnce(names, mesh.bsdf.row->name);
-  if (names.empty()) names.emplace_back(bsdfRows().front().name);
+  for (const Mesh& mesh : scene.meshes) addOnce(names, bsdfName(mesh));
+  if (names.empty()) names.emplace_back("diffuse");
   std::sort(names.begin(), names.end());
   return names;
 }
@@ -47,7 +48,7 @@ std::vector<std::string> bsdfsOf(const Scene& scene) {
 std::vector<std::string> texturesOf(const Scene& scene) {
   std::vector<std::string> names;
   for (const Mesh& mesh : scene.meshes)
-    if (shows(mesh.bsdf.texture)) addOnce(names, mesh.bsdf.texture->row->name);
+    if (shows(mesh.bsdf.texture)) addOnce(names, textureName(*mesh.bsdf.texture));
   std::sort(names.begin(), names.end());
   return names;
 }
@@ -56,8 +57,7 @@ std::vector<std::string> texturesOf(const Scene& scene) {
 bool materialsDiffer(const Scene& scene) {
   const auto& meshes = scene.meshes;
   return std::any_of(meshes.begin(), meshes.end(), [&](const Mesh& m) {
-    return m.bsdf.row != meshes.front().bsdf.row || m.bsdf.values != meshes.front().bsdf.values ||
-           (m.bsdf.texture && meshes.size() > 1);
+    return !alike(m, meshes.front()) || (m.bsdf.texture && meshes.size() > 1);
   });
 }
 
@@ -65,7 +65,7 @@ bool materialsDiffer(const Scene& scene) {
 bool needsBsdfRecords(const Scene& scene) {
   return bsdfsOf(scene).size() > 1 ||
          std::any_of(scene.meshes.begin(), scene.meshes.end(),
-                     [](const Mesh& m) { return !numbersOf(m.bsdf).empty(); });
+                     hasNumbers);
 }
 
 void noteImage(const std::shared_ptr<const Picture>& image, TraceKey& key) {
@@ -92,10 +92,10 @@ void keyOfShading(const Scene& scene, const IntegratorRow& row, bool surfaces, T
 
 TraceKey keyOf(const Scene& scene, const RenderOptions& options, const IntegratorUse& shown) {
   const IntegratorRow& row = *shown.row;
-  const bool surfaces = shown.source || !row.needs.lights || !scene.lights.empty();
+  const bool surfaces = !row.needs.lights || !scene.lights.empty();
   TraceKey key;
   key.integrator = row.name;
-  key.camera = scene.camera.row->name;
+  key.camera = "perspective";
   key.sampler = scene.sampler.row->name;
   key.stack = likelyStack(scene);
   if (scene.sampler.row->stream) key.jumpLevels = jumpLevels(scene.sampler.sampleCount);
@@ -108,7 +108,8 @@ TraceKey keyOf(const Scene& scene, const RenderOptions& options, const Integrato
   key.adaptive = options.error > 0.0;
   key.signedValues = row.needs.negative;
   if (shades(row)) keyOfShading(scene, row, surfaces, key);
-  addProperties(shown, key);
+  for (const PropertyRow& property : row.properties)
+    key.properties.push_back({"float", property.name, ""});
   return key;
 }
 
@@ -137,16 +138,8 @@ std::vector<PictureChoice> picturesOf(const Scene& scene, const RenderOptions& o
   return pictures;
 }
 
-/// Bytes that hold any index of a triangle's attributes: 1, 2 or 4. Normal 0 is NO_NORMAL.
-std::uint32_t indexBytesOf(const Scene& scene, bool normals) {
-  std::uint64_t last = scene.meshes.size(), vertexNormals = 0;
-  for (const Mesh& mesh : scene.meshes) vertexNormals += mesh.normals.size();
-  if (normals) last = std::max(last, vertexNormals);
-  return last <= 0xff ? 1 : last <= 0xffff ? 2 : 4;
-}
-
 /// Everything that one of the pictures reads.
-Uploads uploadsOf(const Scene& scene, const std::vector<PictureChoice>& pictures, bool noriTable) {
+Uploads uploadsOf(const Scene& scene, const std::vector<PictureChoice>& pictures, const RenderOptions& options) {
   Uploads uploads;
   uploads.primitives = false;
   for (const PictureChoice& picture : pictures) {
@@ -157,11 +150,12 @@ Uploads uploadsOf(const Scene& scene, const std::vector<PictureChoice>& pictures
     uploads.materials |= key.bsdfRecords || (key.materials && key.textures.empty());
     uploads.textures |= !key.textures.empty();
     uploads.lights |= key.lights;
+    uploads.jumpLevels = std::max(uploads.jumpLevels, key.jumpLevels);
     uploads.background |= key.background != "none";
   }
   uploads.bsdfs = bsdfsOf(scene);
   uploads.textureKinds = texturesOf(scene);
-  uploads.noriTable = noriTable;
+  uploads.noriTable = options.noriCompat;
   uploads.indexBytes = indexBytesOf(scene, uploads.normals);
   return uploads;
 }
@@ -179,6 +173,17 @@ Tiling tilingOf(const Scene& scene, const RenderOptions& options, const VulkanOp
 
 }  // namespace
 
+std::uint32_t indexBytesOf(const Scene& scene, bool normals) {
+  std::uint64_t last = scene.meshes.size(), vertexNormals = 0;
+  for (const Mesh& mesh : scene.meshes) vertexNormals += mesh.normals.size();
+  if (normals) last = std::max(last, vertexNormals);
+  return last <= 0xff ? 1 : last <= 0xffff ? 2 : 4;
+}
+
+Uploads uploadsOf(const Scene& scene, const RenderOptions& options) {
+  return uploadsOf(scene, picturesOf(scene, options), options);
+}
+
 Choices choose(const Scene& scene, const RenderOptions& options, const VulkanOptions& vulkan,
                const DeviceInfo& device) {
   Choices choices;
@@ -189,7 +194,7 @@ Choices choose(const Scene& scene, const RenderOptions& options, const VulkanOpt
     picture.key.traversal = choices.traversal;
     if (vulkan.wholeFilm) picture.blackMiss = false;
   }
-  choices.uploads = uploadsOf(scene, choices.pictures, options.noriCompat);
+  choices.uploads = uploadsOf(scene, choices.pictures, options);
   choices.gather.filter = filterText(scene.filter, options.noriCompat);
   choices.gather.apron = apronOf(scene.filter.radius);
   choices.gather.adaptive = options.error > 0.0;
@@ -201,6 +206,17 @@ Choices choose(const Scene& scene, const RenderOptions& options, const VulkanOpt
       tilingOf(scene, options, vulkan, device.limits, choices.gather.apron);
   choices.reasons = reasonsOf(scene, options, choices, traversal.why);
   return choices;
+}
+
+VkFormat attributeFormat(const Uploads& uploads) {
+  switch (uploads.indexBytes) {
+    case 1:
+      return uploads.normals ? VK_FORMAT_R8G8B8A8_UINT : VK_FORMAT_R8_UINT;
+    case 2:
+      return uploads.normals ? VK_FORMAT_R16G16B16A16_UINT : VK_FORMAT_R16_UINT;
+    default:
+      return uploads.normals ? VK_FORMAT_R32G32B32A32_UINT : VK_FORMAT_R32_UINT;
+  }
 }
 
 std::uint32_t stackFor(std::uint32_t guess, std::uint32_t needed) {
@@ -223,7 +239,7 @@ void generaliseKey(TraceKey& key, const std::string& part, bool stream) {
   if (part == "bsdf records") key.bsdfRecords = true;
   if (part == "lights") key.lights = key.manyLights = true;
   if (part == "jump levels" && stream) key.jumpLevels = 3;
-  if (part == "textures" && !key.bsdfs.empty()) key.textures = textureNames();
+  if (part == "textures" && !key.bsdfs.empty()) key.textures = allTextureNames();
   if (part == "images") key.byteImages = key.floatImages = true;
   if (part == "background") key.background = "environment";
   if (part == "hits") key.hits = true;
@@ -245,8 +261,9 @@ Choices generalised(Choices choices, const std::vector<std::string>& parts) {
     if (part == "materials" || part == "bsdf records") uploads.materials = true;
     if (part == "textures") {
       uploads.textures = true;
-      uploads.textureKinds = textureNames();
+      uploads.textureKinds = allTextureNames();
     }
+    if (part == "jump levels" && uploads.jumpLevels != 0) uploads.jumpLevels = 3;
     if (part == "hits") uploads.primitives = true;
     if (part == "index bytes") uploads.indexBytes = 4;
     // The widest that film/gather_strip.glsl takes.

@@ -37,6 +37,7 @@ struct Uploads {
   bool textures = false;     ///< a texture record per mesh, texture coordinates
   bool lights = false;
   bool background = false;
+  std::uint32_t jumpLevels = 0;  ///< of the tables that `independent` needs
   bool noriTable = false;    ///< filter weights from Nori's table
   std::uint32_t indexBytes = 4;  ///< of an index in the attributes of a triangle: 1, 2 or 4
   std::vector<std::string> bsdfs, textureKinds;  ///< numbered in this order in the records
@@ -54,6 +55,9 @@ struct Choices {
   std::vector<Reason> reasons;
 };
 
+/// What the pictures of a scene need; it depends on no device.
+Uploads uploadsOf(const Scene& scene, const RenderOptions& options);
+
 /// Decides. Throws Error(Usage) for an unknown traversal and Error(Device) where the device cannot.
 Choices choose(const Scene& scene, const RenderOptions& options, const VulkanOptions& vulkan,
                const DeviceInfo& device);
@@ -64,6 +68,12 @@ const std::vector<std::string>& generalParts();
 
 /// The choices as if the scene needed everything that these parts stand for.
 Choices generalised(Choices choices, const std::vector<std::string>& parts);
+
+/// Bytes that hold any index of a triangle's attributes: 1, 2 or 4. Normal 0 is NO_NORMAL.
+std::uint32_t indexBytesOf(const Scene& scene, bool normals);
+
+/// The form of the attributes on the device.
+VkFormat attributeFormat(const Uploads& uploads);
 
 /// Entries of the traversal's stack that a tree needs, rounded up so that scenes alike in size share
 /// a kernel; what the key has where that suffices.

@@ -6,7 +6,6 @@
 #include <cstring>
 
 #include "core/error.h"
-#include "core/fnv1a.h"
 #include "vulkan/device_info.h"
 
 namespace laver {
@@ -14,35 +13,11 @@ namespace {
 
 constexpr std::size_t kFloats = sizeof(shared::FilmPixel) / sizeof(float);
 
-template <class T, class A>
-void add(Fnv1a& hash, const std::vector<T, A>& data) {
-  hash.add(std::as_bytes(std::span(data)));
-}
-
-/// Of all that the kernels read but the sample count and the tree, which no picture shows.
-std::string contentOf(const Packed& data) {
-  shared::Params params = data.params;
-  params.film.z = params.film.w = 0;
-  Fnv1a hash;
-  hash.add(std::as_bytes(std::span(&params, 1)));
-  SpecConstants constants = data.constants;
-  constants[shared::SPEC_STACK] = 0;
-  hash.add(std::as_bytes(std::span(constants)));
-  add(hash, data.bvh.triangles);
-  add(hash, data.attributes);
-  add(hash, data.normals);
-  add(hash, data.materials);
-  add(hash, data.lights);
-  add(hash, data.textures);
-  add(hash, data.uvs);
-  add(hash, data.images);
-  return hash.text();
-}
-
 }  // namespace
 
-Settings settingsOf(const Scene& scene, const Packed& data, const Crop& core,
+Settings settingsOf(const Scene& scene, const Packed& packed, const Choices& choices,
                     const DeviceInfo& device) {
+  const Crop core = choices.core;
   Settings settings = {
       {"laverVersion", LAVER_VERSION},
       {"device", device.name},
@@ -52,11 +27,11 @@ Settings settingsOf(const Scene& scene, const Packed& data, const Crop& core,
       {"crop", fmt::format("{},{},{},{}", core.x0, core.y0, core.x1, core.y1)},
       {"sampler", scene.sampler.row->name},
       {"seed", std::to_string(scene.sampler.seed)},
-      {"filterWeights", data.constants[shared::SPEC_NORI_TABLE] != 0 ? "Nori's table" : "exact"},
+      {"filterWeights", choices.uploads.noriTable ? "Nori's table" : "exact"},
       {"samplesSummedPlainly", std::to_string(shared::GATHER_SAMPLES)}};
   if (!scene.sampler.row->countFree)
     settings.emplace_back("sampleCount", std::to_string(scene.sampler.sampleCount));
-  settings.emplace_back("scene", contentOf(data));
+  settings.emplace_back("scene", contentOf(packed, choices));
   return settings;
 }
 

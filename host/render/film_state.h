@@ -16,9 +16,9 @@ struct DeviceInfo;
 /// What a picture's bits depend on: name and value, in the order in which differences are told.
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
-/// Of a render with kernels that read `data`. The sample count is there where the sampler's samples
+/// Of a render of what is packed. The sample count is there where the sampler's samples
 /// depend on it.
-Settings settingsOf(const Scene& scene, const Packed& data, const Crop& core,
+Settings settingsOf(const Scene& scene, const Packed& packed, const Choices& choices,
                     const DeviceInfo& device);
 
 /// The sums of a film, with which a render goes on. Rows count from the top of the picture, and

@@ -6,6 +6,10 @@
 #include <limits>
 #include <tuple>
 
+#include "core/fnv1a.h"
+#include "kernels/compose.h"
+
+#include "render/materials.h"
 #include "render/pack_parts.h"
 #include "render/pack_textures.h"
 #include "render/traversal.h"
@@ -39,7 +43,7 @@ class MeshPacker {
   /// Adds the mesh's records; returns their number.
   std::uint32_t addMaterial(const Mesh& mesh) {
     if (uploads_.textures) textures_.addRecord(mesh, nextId_);
-    if (uploads_.materials) packed_.materials.push_back(materialOf(mesh.bsdf, uploads_));
+    if (uploads_.materials) packed_.materials.push_back(materialOf(mesh, uploads_.bsdfs));
     return meshes_++;
   }
 
@@ -146,30 +150,13 @@ void packAttributes(const std::vector<shared::Attributes>& attributes, const Upl
   switch (uploads.indexBytes) {
     case 1:
       packed.attributes = attributeBytes<std::uint8_t>(attributes, normals);
-      packed.attributeFormat = normals ? VK_FORMAT_R8G8B8A8_UINT : VK_FORMAT_R8_UINT;
       break;
     case 2:
       packed.attributes = attributeBytes<std::uint16_t>(attributes, normals);
-      packed.attributeFormat = normals ? VK_FORMAT_R16G16B16A16_UINT : VK_FORMAT_R16_UINT;
       break;
     default:
       packed.attributes = attributeBytes<std::uint32_t>(attributes, normals);
-      packed.attributeFormat = normals ? VK_FORMAT_R32G32B32A32_UINT : VK_FORMAT_R32_UINT;
   }
-}
-
-/// The integrator's float properties. Lengths come to normalised space, whose points lie less than 4
-/// apart; below 2^-100 nothing is seen apart.
-glm::vec4 propertiesOf(const IntegratorUse& integrator, const Normalisation& space) {
-  glm::vec4 values(0.0F);
-  int i = 0;
-  for (const PropertyRow& property : integrator.row->properties) {
-    const double value = integrator.real(property.name);
-    values[i++] = static_cast<float>(isLength(property)
-                                         ? std::clamp(value * space.scale, 0x1p-100, 4.0)
-                                         : value);
-  }
-  return values;
 }
 
 /// radiance / distance^2 keeps its value when distances are scaled, if radiance is by the square.
@@ -179,6 +166,18 @@ shared::Light lightData(const PointLight& light, const Normalisation& space) {
 }
 
 }  // namespace
+
+glm::vec4 propertiesOf(const IntegratorUse& integrator, const Normalisation& space) {
+  glm::vec4 values(0.0F);
+  int i = 0;
+  for (const PropertyRow& property : integrator.row->properties) {
+    const double value = integrator.real(property.name);
+    values[i++] = static_cast<float>(std::string_view(property.unit) == kSceneUnits
+                                         ? std::clamp(value * space.scale, 0x1p-100, 4.0)
+                                         : value);
+  }
+  return values;
+}
 
 Normalisation normalisationOf(const Scene& scene) {
   dvec3 lo(std::numeric_limits<double>::infinity()), hi(-lo);
@@ -204,8 +203,7 @@ Normalisation normalisationOf(const Scene& scene) {
   return space;
 }
 
-Packed pack(const Scene& scene, const RenderOptions& options, const Choices& choices) {
-  const Uploads& uploads = choices.uploads;
+Packed pack(const Scene& scene, const RenderOptions& options, const Uploads& uploads) {
   Packed packed;
   packed.space = normalisationOf(scene);
   TexturePacker textures(packed, uploads.textureKinds);
@@ -216,6 +214,7 @@ Packed pack(const Scene& scene, const RenderOptions& options, const Choices& cho
   packed.bvh = buildBvh(triangles, options.threads);
   packed.buildSeconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  packed.attributeFormat = attributeFormat(uploads);
   if (uploads.attributes)
     packAttributes(inLeafOrder(meshes.attributes(), triangles, packed.bvh), uploads, packed);
   if (uploads.lights)
@@ -223,12 +222,11 @@ Packed pack(const Scene& scene, const RenderOptions& options, const Choices& cho
       packed.lights.push_back(lightData(light, packed.space));
   packCamera(scene.camera, packed);
   packFilter(scene.filter, uploads.noriTable, packed.params);
-  packSampler(scene, choices.pictures.front().key.jumpLevels, packed);
+  packSampler(scene, uploads.jumpLevels, packed);
   if (uploads.background) textures.packBackground(*scene.environment);
   if (!scene.meshes.empty())
-    packed.params.albedo = vec3(albedoOf(scene.meshes.front().bsdf));
+    packed.params.albedo = vec3(albedoOf(scene.meshes.front()));
   packed.params.root = packed.bvh.root;
-  packed.params.properties = propertiesOf(scene.integrator, packed.space);
   packed.params.packetWindow = packetWindow(primitivesOf(scene));
   return packed;
 }
@@ -268,7 +266,7 @@ std::uint64_t bytesOf(const Packed& packed) {
 }
 
 std::string contentOf(const Packed& packed, const Choices& choices) {
-  Hash hash;
+  Fnv1a hash;
   shared::Params params = packed.params;
   params.sampleCount = params.root = 0;
   hash.add(std::as_bytes(std::span(&params, 1)));
@@ -277,8 +275,8 @@ std::string contentOf(const Packed& packed, const Choices& choices) {
   key.traversal = Traversal::Lane;
   GatherKey gather = choices.gather;
   gather.strips = false;
-  hash.add(std::as_bytes(std::span(compose(key))));
-  hash.add(std::as_bytes(std::span(compose(gather))));
+  hash.add(compose(key));
+  hash.add(compose(gather));
   for (const DeviceArray& array : arraysOf(packed))
     if (array.decidesPicture) hash.add(array.bytes);
   return hash.text();

@@ -40,7 +40,7 @@ void packCamera(const Camera& camera, Packed& packed) {
 
 void packFilter(const Filter& filter, bool noriTable, shared::Params& params) {
   params.filterRadius = static_cast<float>(filter.radius);
-  params.filterShape = glm::vec2(filter.row->shape(filter));
+  if (filter.row->shape != nullptr) params.filterShape = glm::vec2(filter.row->shape(filter));
   // Nori's table: 32 entries over the radius, and a last one of 0.
   const double alpha = -1.0 / (2.0 * filter.stddev * filter.stddev);
   for (int i = 0; i < 32; ++i)

@@ -1,5 +1,7 @@
 #include "render/pack_textures.h"
 
+#include "render/materials.h"
+
 #include <algorithm>
 #include <cmath>
 

@@ -43,8 +43,8 @@ struct Packed {
   double buildSeconds = 0;               ///< of the tree
 };
 
-/// Rounds, builds and packs what the choices upload.
-Packed pack(const Scene& scene, const RenderOptions& options, const Choices& choices);
+/// Rounds, builds and packs what is to be uploaded.
+Packed pack(const Scene& scene, const RenderOptions& options, const Uploads& uploads);
 
 /// An array of a scene on the device.
 struct DeviceArray {

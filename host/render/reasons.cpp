@@ -228,7 +228,7 @@ Reason film(const Facts& f) {
 Reason adaptive(const Facts& f) {
   if (f.options.error == 0.0)
     return {"adaptive", "off", "no --error", "counts of cells, and lists of work", 0};
-  return {"adaptive", fmt::format("1 to {} samples per pixel", maxSamplesOf(f.scene.sampler)),
+  return {"adaptive", fmt::format("1 to {} samples per pixel", maxSamplesOf(f.scene, f.options)),
           fmt::format("to an error of {:g}, which {} pilots of 1 sample decide", f.options.error,
                       kPilots),
           "", 0};
@@ -249,7 +249,7 @@ Reason passes(const Facts& f) {
   const Tiling& tiling = f.choices.tiling;
   return {"passes",
           fmt::format("{}{} x {} in {}", f.options.error == 0.0 ? "" : "up to ",
-                      passesOf(maxSamples(f.scene, f.options), tiling),
+                      passesOf(maxSamplesOf(f.scene, f.options), tiling),
                       countOf(tiling.samplesPerPass, "sample"),
                       countOf(bandsOf(f.choices.core, tiling), "band")),
           fmt::format("{} MiB of samples in flight, {} MiB of film",

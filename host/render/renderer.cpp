@@ -61,7 +61,7 @@ Rendered Renderer::render(const Scene& scene, const RenderOptions& options, Film
     return compileKernels(device, choices.pictures.front().key, choices.gather,
                           attributeFormat(choices.uploads));
   });
-  const Packed packed = pack(scene, options, choices);
+  const Packed packed = pack(scene, options, choices.uploads);
   Observers observers(options.observers);
   observers.started(device.name());
   const int width = choices.core.x1 - choices.core.x0, height = choices.core.y1 - choices.core.y0;

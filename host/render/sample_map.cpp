@@ -48,8 +48,8 @@ double varianceIn(std::span<const Image> pilots, Crop area, Crop window) {
 
 std::uint32_t rounded(double samples, std::uint32_t max) {
   if (samples <= kOne) return 1;
-  const double steps = std::ceil(std::min(samples, static_cast<double>(most)) / shared::CELL_STEP);
-  return std::clamp(static_cast<std::uint32_t>(steps) * shared::CELL_STEP, shared::CELL_STEP, most);
+  const double steps = std::ceil(std::min(samples, static_cast<double>(max)) / shared::CELL_STEP);
+  return std::clamp(static_cast<std::uint32_t>(steps) * shared::CELL_STEP, shared::CELL_STEP, max);
 }
 
 int down(int x, int step) { return x / step * step; }
@@ -65,12 +65,12 @@ void evenBlocks(SampleMap& map) {
   for (int y = cells.y0; y < cells.y1; y += kBlock)
     for (int x = cells.x0; x < cells.x1; x += kBlock) {
       const int right = std::min(x + kBlock, cells.x1), below = std::min(y + kBlock, cells.y1);
-      std::uint32_t most = 0;
+      std::uint32_t max = 0;
       for (int v = y; v < below; ++v)
-        for (int u = x; u < right; ++u) most = std::max(most, map.cell(u, v));
+        for (int u = x; u < right; ++u) max = std::max(max, map.cell(u, v));
       for (int v = y; v < below; ++v)
         for (int u = x; u < right; ++u)
-          if (most > 1) map.cell(u, v) = std::max(map.cell(u, v), shared::CELL_STEP);
+          if (max > 1) map.cell(u, v) = std::max(map.cell(u, v), shared::CELL_STEP);
     }
 }
 
@@ -126,7 +126,7 @@ std::int64_t pilotSeed(std::int64_t seed, int pilot) {
                                    0x9e3779b97f4a7c15U * static_cast<std::uint64_t>(pilot + 1));
 }
 
-SampleMap decideSamples(std::span<const Image> pilots, Crop area, double error, std::uint32_t most,
+SampleMap decideSamples(std::span<const Image> pilots, Crop area, double error, std::uint32_t max,
                         unsigned threads) {
   SampleMap wanted(area, 1);
   const Crop cells = wanted.cells();
@@ -138,7 +138,7 @@ SampleMap decideSamples(std::span<const Image> pilots, Crop area, double error, 
                           std::max(y * kCell - kAround, area.y0),
                           std::min((x + 1) * kCell + kAround, area.x1),
                           std::min((y + 1) * kCell + kAround, area.y1)};
-        wanted.cell(x, y) = rounded(varianceIn(pilots, area, window) / (error * error), most);
+        wanted.cell(x, y) = rounded(varianceIn(pilots, area, window) / (error * error), max);
       }
   });
   SampleMap result = wanted;
@@ -148,7 +148,7 @@ SampleMap decideSamples(std::span<const Image> pilots, Crop area, double error, 
         for (int u = std::max(x - 1, cells.x0); u < std::min(x + 2, cells.x1); ++u)
           if (wanted.cell(u, v) > kShareOfNeighbours)
             result.cell(x, y) = std::max(
-                result.cell(x, y), rounded(wanted.cell(u, v) / double{kShareOfNeighbours}, most));
+                result.cell(x, y), rounded(wanted.cell(u, v) / double{kShareOfNeighbours}, max));
   evenBlocks(result);
   return result;
 }

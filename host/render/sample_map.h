@@ -62,6 +62,11 @@ inline std::uint32_t maxSamplesOf(const Sampler& sampler) {
   return sampler.sampleCount / shared::CELL_STEP * shared::CELL_STEP;
 }
 
+/// The most samples that a pixel of a render gets.
+inline std::uint32_t maxSamplesOf(const Scene& scene, const RenderOptions& options) {
+  return options.error == 0.0 ? scene.sampler.sampleCount : maxSamplesOf(scene.sampler);
+}
+
 /// How many samples a pixel bring the standard error of each cell to `error`, by the variance s^2
 /// of the pilots, which are reconstructed as the picture will be: s^2 / error^2, where s^2 is the
 /// mean over the cell and the pixels around it of the channel that is largest, and the error is

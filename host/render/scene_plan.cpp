@@ -56,7 +56,7 @@ nlohmann::json figuresOf(const Scene& scene, const RenderOptions& options, const
           {"sampleBytes", tiling.sampleSlots * kBytesInFlight},
           {"filmBytes", tiling.bandPixels * sizeof(shared::FilmPixel)},
           {"bands", bandsOf(core, tiling)},
-          {"passesPerBand", passesOf(maxSamples(scene, options), tiling)},
+          {"passesPerBand", passesOf(maxSamplesOf(scene, options), tiling)},
           {"samplesPerPass", tiling.samplesPerPass},
           {"samplesSideBySide", samplesBeside(tiling, options.error != 0.0)},
           {"seen", coverage(choices, packed)}};
@@ -67,7 +67,7 @@ nlohmann::json figuresOf(const Scene& scene, const RenderOptions& options, const
 ScenePlan planScene(const Scene& scene, const RenderOptions& options, const VulkanOptions& vulkan,
                     const DeviceInfo& device) {
   const Choices choices = choose(scene, options, vulkan, device);
-  const Packed packed = pack(scene, options, choices);
+  const Packed packed = pack(scene, options, choices.uploads);
   ScenePlan plan{device.name, device.driver, traversalName(choices.traversal), choices.reasons,
                  figuresOf(scene, options, choices, packed)};
   plan.reasons.push_back(tree(choices, packed.bvh));

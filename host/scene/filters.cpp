@@ -33,6 +33,13 @@ double mitchellAt(const Filter& f, double x) {
   return s < 2.0 ? y * y * ((f.B + 6.0 * f.C) * y - 6.0 * f.C) / 6.0 : 0.0;
 }
 
+glm::dvec2 gaussianShape(const Filter& f) {
+  const double alpha = -1.0 / (2.0 * f.stddev * f.stddev);
+  return {alpha, std::exp(alpha * f.radius * f.radius)};
+}
+
+glm::dvec2 mitchellShape(const Filter& f) { return {f.B, f.C}; }
+
 double tentAt(const Filter& f, double x) { return std::max(0.0, 1.0 - std::abs(x) / f.radius); }
 
 double boxAt(const Filter&, double) { return 1.0; }
@@ -52,6 +59,8 @@ const FilterRow gaussian{.name = "gaussian",
                                          .unit = "pixels",
                                          .meaning = "standard deviation"}},
                          .members = {&Filter::radius, &Filter::stddev},
+                         .narrowForm = true,
+                         .shape = gaussianShape,
                          .evaluate = gaussianAt};
 
 const FilterRow mitchell{.name = "mitchell",
@@ -67,6 +76,7 @@ const FilterRow mitchell{.name = "mitchell",
                                          .start = Filter{}.C,
                                          .meaning = "Mitchell and Netravali's C"}},
                          .members = {&Filter::radius, &Filter::B, &Filter::C},
+                         .shape = mitchellShape,
                          .evaluate = mitchellAt};
 
 // Nori's tent and box have fixed radii.

@@ -43,7 +43,7 @@ const IntegratorRow averageVisibility{
                     .start = std::numeric_limits<double>::infinity(),
                     .required = true,
                     .range = moreThan(0.0),
-                    .unit = "scene units",
+                    .unit = kSceneUnits,
                     .meaning = "how far it looks"}},
     .needs = {.normals = true, .numbers = true},
     .radiance = reference::averageVisibility};

@@ -30,6 +30,9 @@ constexpr Range moreThan(double min) { return {.min = min}; }
 constexpr Range between(double min, double max) { return {.min = min, .max = max}; }
 constexpr Range fromTo(double min, double max) { return {.min = min, .max = max, .closed = true}; }
 
+/// The unit of lengths in a scene.
+inline constexpr const char* kSceneUnits = "scene units";
+
 /// A property that an object of a scene file takes.
 struct PropertyRow {
   const char* name;

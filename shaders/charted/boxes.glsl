@@ -1,10 +1,6 @@
 // Box tests for the chart: two usual ones on tight boxes, and laver's on grown ones.
-#ifndef LAVER_CHARTED_BOXES
-#define LAVER_CHARTED_BOXES
 #include "shared/box.h"
 #include "shared/charted.h"
-
-layout(constant_id = CHARTED_SPEC_BOXES) const uint BOXES = BOXES_OURS;
 
 struct WalkRay {
   Shear shear;
@@ -41,5 +37,3 @@ BoxSpan boxOf(WalkRay ray, vec3 lo, vec3 hi) {
   span.depth = span.near;
   return span;
 }
-
-#endif

@@ -1,10 +1,6 @@
 // Triangle tests for the chart.
-#ifndef LAVER_CHARTED_TRIANGLES
-#define LAVER_CHARTED_TRIANGLES
 #include "shared/charted.h"
 #include "shared/triangle.h"
-
-layout(constant_id = CHARTED_SPEC_TRIANGLES) const uint TRIANGLES = TRIANGLES_OURS;
 
 struct TriangleHit {
   bool inside;
@@ -49,5 +45,3 @@ TriangleHit triangleHit(Shear shear, vec3 origin, vec3 direction, vec3 a, vec3 b
   const Edges e = edgesOf(shear, pa, pb, pc);
   return TriangleHit(e.inside, depthOf(e, pa.z, pb.z, pc.z));
 }
-
-#endif

@@ -1,5 +1,4 @@
-// What shaders/charted and host/chart/methods share: bindings, specialisation constants and ways to
-// intersect that exist for the chart alone.
+// Bindings and intersection methods that exist for the chart alone.
 #ifndef LAVER_SHARED_CHARTED_H
 #define LAVER_SHARED_CHARTED_H
 #include "shared/types.h"
@@ -11,12 +10,6 @@ LAVER_CONST uint CHARTED_NODES = 1;      // T Node, or quantised nodes
 LAVER_CONST uint CHARTED_TRIANGLES = 2;  // T Triangle
 LAVER_CONST uint CHARTED_HITS = 3;       // S vec4: normal of either sign, t
 LAVER_CONST uint CHARTED_IDS = 4;        // S uint: id or NO_HIT
-
-LAVER_CONST uint CHARTED_SPEC_STACK = 0;
-LAVER_CONST uint CHARTED_SPEC_TRIANGLES = 1;
-LAVER_CONST uint CHARTED_SPEC_BOXES = 2;
-LAVER_CONST uint CHARTED_SPEC_QUANTISED = 3;
-LAVER_CONST uint CHARTED_SPECS = 4;
 
 LAVER_CONST uint TRIANGLES_MOELLER = 0;  // Moeller and Trumbore 1997
 LAVER_CONST uint TRIANGLES_PLAIN = 1;    // Woop, Benthin and Wald 2013, plain products

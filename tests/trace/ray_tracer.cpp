@@ -1,12 +1,17 @@
 #include "trace/ray_tracer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstring>
 #include <deque>
+#include <fstream>
+#include <stdexcept>
 #include <vector>
 
+#include "kernels/compose.h"
+#include "kernels/modules.h"
 #include "render/device_scene.h"
 #include "render/traversal.h"
 #include "vulkan/bindings.h"
@@ -14,9 +19,14 @@
 
 namespace laver {
 
-std::span<const std::uint32_t> traceSpirvOf(const std::string& kernel);
-
 namespace test {
+
+std::string testText(const std::string& name) {
+  std::ifstream file(std::string(LAVER_SOURCE_DIR) + "/tests/trace/" + name);
+  if (!file) throw std::runtime_error(name + " cannot be read");
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
 namespace {
 
 /// Of one dispatch: 32 MiB of rays.
@@ -35,15 +45,17 @@ std::vector<VkDescriptorType> testBindingTypes() {
   return types;
 }
 
-Kernel kernelOf(const Device& device, const Bindings& bindings, const std::string& query,
+Kernel kernelOf(const Device& device, const Bindings& bindings, const char* query,
                 const std::string& traversal, const Bvh& bvh) {
-  std::array<std::uint32_t, shared::SPEC_CONSTANTS> constants{};
-  constants[shared::SPEC_STACK] = bvh.stack;
-  const bool spheres =
-      std::any_of(bvh.triangles.begin(), bvh.triangles.end(),
-                  [](const shared::Triangle& t) { return t.flipped == shared::IS_SPHERE; });
-  const std::string name = query + (spheres ? "_spheres_" : "_") + traversal;
-  return {device, bindings, traceSpirvOf(name), constants, sizeof(shared::Pass)};
+  TraceKey key;
+  for (const Traversal t : {Traversal::Lane, Traversal::Packet32, Traversal::Packet64})
+    if (traversal == traversalName(t)) key.traversal = t;
+  key.stack = bvh.stack;
+  key.spheres = std::any_of(bvh.triangles.begin(), bvh.triangles.end(), [](const auto& t) {
+    return t.flipped == shared::IS_SPHERE;
+  });
+  const std::string text = fmt::format("#define QUERY {}\n{}", query, testText("trace_rays.glsl"));
+  return {device, bindings, moduleOf(composeWith(key, text)).words, sizeof(shared::Pass)};
 }
 
 }  // namespace
@@ -55,11 +67,12 @@ struct RayTracer::Impl {
         params(d, "parameters", Buffer::Use::Uniform, sizeof(shared::Params)),
         status(d, "status", Buffer::Use::Storage, sizeof(shared::Status)),
         output(d, "hits", Buffer::Use::Storage, kRays * sizeof(TestHit)),
-        closest(kernelOf(d, bindings, "closest", traversal, bvh)),
-        visible(kernelOf(d, bindings, "visible", traversal, bvh)) {
+        closest(kernelOf(d, bindings, "traceFromOne", traversal, bvh)),
+        any(kernelOf(d, bindings, "traceRays", traversal, bvh)),
+        visible(kernelOf(d, bindings, "seePoints", traversal, bvh)) {
     shared::Params values{};
-    values.film.w = bvh.root;
-    values.origin.w = packetWindow(bvh.triangles.size());
+    values.root = bvh.root;
+    values.packetWindow = packetWindow(bvh.triangles.size());
     params.upload(std::as_bytes(std::span(&values, 1)));
     bindings.bind(shared::BIND_PARAMS, params);
     bindings.bind(shared::BIND_STATUS, status);
@@ -113,7 +126,7 @@ struct RayTracer::Impl {
   std::vector<Handle<VkBufferView>> views;
   std::deque<Buffer> buffers;
   const Buffer* input = nullptr;
-  Kernel closest, visible;
+  Kernel closest, any, visible;
   double seconds = 0;
   std::uint32_t incomplete = 0;
 };
@@ -123,10 +136,18 @@ RayTracer::RayTracer(const Device& device, const Bvh& bvh, const std::string& tr
 RayTracer::~RayTracer() = default;
 
 std::vector<TestHit> RayTracer::closest(std::span<const TestRay> rays) {
+  return trace(impl_->closest, rays);
+}
+
+std::vector<TestHit> RayTracer::closestOfAny(std::span<const TestRay> rays) {
+  return trace(impl_->any, rays);
+}
+
+std::vector<TestHit> RayTracer::trace(const Kernel& kernel, std::span<const TestRay> rays) {
   std::vector<TestHit> hits(rays.size());
   impl_->inParts(rays.size(), [&](std::size_t begin, std::size_t end) {
     impl_->input->upload(std::as_bytes(rays.subspan(begin, end - begin)));
-    impl_->run(impl_->closest, {}, end - begin);
+    impl_->run(kernel, {}, end - begin);
     impl_->output.download(std::as_writable_bytes(std::span(hits).subspan(begin, end - begin)));
   });
   return hits;
@@ -137,13 +158,15 @@ std::vector<std::uint32_t> RayTracer::visible(glm::vec3 light, std::span<const g
   for (std::size_t i = 0; i < points.size(); ++i) texels[i] = glm::vec4(points[i], 0.0F);
   shared::Pass pass{};
   std::memcpy(&pass.core, &light, sizeof light);
-  std::vector<std::uint32_t> seen(points.size());
+  std::vector<glm::vec4> seen(points.size());
   impl_->inParts(points.size(), [&](std::size_t begin, std::size_t end) {
     impl_->input->upload(std::as_bytes(std::span(texels).subspan(begin, end - begin)));
     impl_->run(impl_->visible, pass, end - begin);
     impl_->output.download(std::as_writable_bytes(std::span(seen).subspan(begin, end - begin)));
   });
-  return seen;
+  std::vector<std::uint32_t> clear;
+  for (const glm::vec4& s : seen) clear.push_back(static_cast<std::uint32_t>(s.x));
+  return clear;
 }
 
 double RayTracer::seconds() const { return impl_->seconds; }

@@ -6,6 +6,7 @@
 
 #include "bvh/bvh.h"
 #include "vulkan/device.h"
+#include "vulkan/kernel.h"
 
 namespace laver::test {
 
@@ -24,6 +25,9 @@ struct TestHit {
   std::uint32_t id;
 };
 
+/// The text of a kernel in tests/trace/.
+std::string testText(const std::string& name);
+
 /// Rays of a test's choice through the traversals of shaders/, in kernels of the tests' own.
 class RayTracer {
  public:
@@ -36,6 +40,9 @@ class RayTracer {
   /// ray counts; the last block may be shorter.
   std::vector<TestHit> closest(std::span<const TestRay> rays);
 
+  /// The same of rays with origins of their own.
+  std::vector<TestHit> closestOfAny(std::span<const TestRay> rays);
+
   /// 1 for each point with nothing between it and the light, else 0. Points count as they are:
   /// those of a surface are moved off it by the caller. A point whose x is NaN is not traced: 0.
   std::vector<std::uint32_t> visible(glm::vec3 light, std::span<const glm::vec3> points);
@@ -46,6 +53,8 @@ class RayTracer {
   std::uint32_t incomplete() const;
 
  private:
+  std::vector<TestHit> trace(const Kernel& kernel, std::span<const TestRay> rays);
+
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

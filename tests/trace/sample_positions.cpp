@@ -5,26 +5,27 @@
 
 #include "pictures/harness.h"
 #include "reference/sampler.h"
-#include "render/sampler_data.h"
+#include "kernels/compose.h"
+#include "kernels/modules.h"
+#include "render/pack_parts.h"
+#include "trace/ray_tracer.h"
 #include "vulkan/bindings.h"
 #include "vulkan/kernel.h"
 
-namespace laver {
-
-std::span<const std::uint32_t> traceSpirvOf(const std::string& kernel);
-
-namespace test {
+namespace laver::test {
 namespace {
 
 /// Film positions and apertures of samples first .. first + count - 1 of the pixels of `region` (x,
-/// y, width, height), as tests/trace/sample_positions.comp lists them.
+/// y, width, height), as tests/trace/sample_positions.glsl lists them.
 std::vector<glm::vec4> devicePositions(const Device& device, const Scene& scene, glm::uvec4 region,
                                        std::uint32_t first, std::uint32_t count) {
-  SceneData data;
-  data.constants = specialise(scene, {});
-  packSampler(scene, data);
-  data.params.film.x = static_cast<std::uint32_t>(scene.camera.width);
-  data.params.film.y = static_cast<std::uint32_t>(scene.camera.height);
+  TraceKey key;
+  key.sampler = scene.sampler.row->name;
+  if (scene.sampler.row->stream) key.jumpLevels = jumpLevels(scene.sampler.sampleCount);
+  Packed data;
+  packSampler(scene, key.jumpLevels, data);
+  data.params.filmSize = {static_cast<std::uint32_t>(scene.camera.width),
+                          static_cast<std::uint32_t>(scene.camera.height)};
   data.jumps.resize(data.jumps.size() + 3);  // `independent` alone reads them
 
   std::array<VkDescriptorType, shared::BINDINGS + 1> types;
@@ -44,11 +45,15 @@ std::vector<glm::vec4> devicePositions(const Device& device, const Scene& scene,
                       (positions.size() + 63) / 64 * 64 * sizeof positions[0]);
   bindings.bind(shared::BINDINGS, output);
 
-  const Kernel kernel(device, bindings, traceSpirvOf("sample_positions"), data.constants,
+  const std::string text =
+      "#include \"sampler/" + key.sampler + ".glsl\"\n" + testText("sample_positions.glsl");
+  const Kernel kernel(device, bindings, moduleOf(composeWith(key, text)).words,
                       sizeof(shared::Pass));
   shared::Pass pass{};
   pass.region = region;
-  pass.samples = {first, count, 0, 0};
+  pass.firstSample = first;
+  pass.sampleCount = count;
+  pass.core.x = 1;
   device.run([&](VkCommandBuffer commands) {
     kernel.dispatch(commands, bindings, std::as_bytes(std::span(&pass, 1)),
                     {static_cast<std::uint32_t>((positions.size() + 63) / 64), 1, 1});
@@ -116,5 +121,4 @@ std::vector<Film> films() {
 INSTANTIATE_TEST_SUITE_P(Films, SamplePositions, testing::ValuesIn(films()));
 
 }  // namespace
-}  // namespace test
-}  // namespace laver
+}  // namespace laver::test

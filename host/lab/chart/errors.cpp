@@ -9,7 +9,7 @@
 #include "core/parallel.h"
 #include "image/compare.h"
 #include "lab/explain/bounds.h"
-#include "render/specialise.h"
+#include "render/tiling.h"
 
 namespace laver::chart {
 namespace {

@@ -2,7 +2,7 @@
 #include <glm/glm.hpp>
 #include <string>
 
-#include "render/scene_data.h"
+#include "render/packed.h"
 #include "scene/scene.h"
 
 namespace laver {

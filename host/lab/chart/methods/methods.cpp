@@ -3,7 +3,7 @@
 #include "core/error.h"
 #include "lab/chart/methods/judge.h"
 #include "lab/chart/numbers.h"
-#include "render/scene_data.h"
+#include "render/packed.h"
 
 namespace laver::chart {
 namespace {
@@ -15,9 +15,9 @@ constexpr const char* kBoxes[] = {"plain slabs", "robust slabs", "ours"};
 constexpr const char* kNodes[] = {"32 bits", "8 bits"};
 
 /// Through the pixels' middles, tile after tile of 8 x 8 pixels as laver traces them.
-std::vector<MethodRay> cameraRays(const SceneData& data) {
+std::vector<MethodRay> cameraRays(const Packed& data) {
   const shared::Params& p = data.params;
-  const std::uint32_t width = p.film.x, height = p.film.y;
+  const std::uint32_t width = p.filmSize.x, height = p.filmSize.y;
   std::vector<MethodRay> rays;
   for (std::uint32_t tileY = 0; tileY < height; tileY += 8)
     for (std::uint32_t tileX = 0; tileX < width; tileX += 8)
@@ -26,9 +26,7 @@ std::vector<MethodRay> cameraRays(const SceneData& data) {
         if (x >= width || y >= height) continue;
         const float u = static_cast<float>(width) - 2.0F * (static_cast<float>(x) + 0.5F);
         const float v = static_cast<float>(height) - 2.0F * (static_cast<float>(y) + 0.5F);
-        rays.push_back({glm::vec3(p.origin), p.clip.x,
-                        glm::vec3(p.columnX) * u + glm::vec3(p.columnY) * v + glm::vec3(p.columnZ),
-                        p.clip.y});
+        rays.push_back({p.origin, p.tmin, p.columnX * u + p.columnY * v + p.columnZ, p.tmax});
       }
   return rays;
 }
@@ -39,7 +37,7 @@ std::vector<MethodPoint> chartMethods(const Scene& scene, const std::string& dev
                                       std::size_t runs, const std::function<bool()>& stop) {
   if (hasSpheres(scene))
     throw Error(ExitCode::Usage, "its methods meet triangles, and the scene has a sphere");
-  const SceneData data = packScene(scene, {}, specialise(scene, {}));
+  const Packed data = pack(scene, {}, uploadsOf(scene, {}));
   if (data.bvh.triangles.empty()) return {};
   MethodTracer tracer(device, data.bvh);
   MethodJudge camera(data.bvh), edges(data.bvh);

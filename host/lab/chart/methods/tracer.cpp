@@ -1,10 +1,14 @@
 #include "lab/chart/methods/tracer.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <deque>
 #include <optional>
 
 #include "lab/chart/methods/quantise.h"
+#include "kernels/compose.h"
+#include "kernels/modules.h"
 #include "render/stopwatch.h"
 #include "shared/charted.h"
 #include "vulkan/bindings.h"
@@ -77,13 +81,14 @@ MethodTracer::MethodTracer(const std::string& device, const Bvh& bvh)
 MethodTracer::~MethodTracer() = default;
 
 void MethodTracer::take(const Method& method) {
-  std::array<std::uint32_t, shared::CHARTED_SPECS> constants{};
-  constants[shared::CHARTED_SPEC_STACK] = impl_->stack;
-  constants[shared::CHARTED_SPEC_TRIANGLES] = method.triangles;
-  constants[shared::CHARTED_SPEC_BOXES] = method.boxes;
-  constants[shared::CHARTED_SPEC_QUANTISED] = method.quantised ? 1 : 0;
-  impl_->kernel.emplace(impl_->device, impl_->bindings, "charted_methods", constants,
-                        sizeof(glm::uvec4));
+  const std::string text = fmt::format(
+      "#version 460\n#extension GL_GOOGLE_cpp_style_line_directive : require\n"
+      "#extension GL_EXT_control_flow_attributes : require\n"
+      "const uint STACK = {}u;\nconst uint TRIANGLES = {}u;\nconst uint BOXES = {}u;\n"
+      "const bool QUANTISED = {};\n#include \"charted/methods.glsl\"\n",
+      impl_->stack, method.triangles, method.boxes, method.quantised);
+  const Module module = moduleOf(expandIncludes(text, "methods"));
+  impl_->kernel.emplace(impl_->device, impl_->bindings, module.words, sizeof(glm::uvec4));
   const std::size_t form =
       (method.boxes == shared::BOXES_OURS ? 0U : 1U) + (method.quantised ? 2U : 0U);
   impl_->bindings.bind(shared::CHARTED_NODES, impl_->nodes[form].view.get());

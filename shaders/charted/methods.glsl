@@ -1,17 +1,13 @@
-#version 460
-#extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_control_flow_attributes : require
-// Ways to intersect, side by side, for the chart alone: one walk, one ray an invocation, with a
-// choice of triangle test, box test and form of nodes. What laver renders with is `ours` of each.
+// Intersection methods side by side, for the chart alone: one walk, one ray per invocation, with a choice
+// of triangle test (TRIANGLES), box test (BOXES) and form of nodes (QUANTISED). laver renders with `ours`
+// of each.
 #include "shared/charted.h"
 #include "shared/layout.h"
 #include "shared/point.h"
 #include "charted/boxes.glsl"
 #include "charted/triangles.glsl"
 
-layout(constant_id = CHARTED_SPEC_STACK) const uint STACK = 64;
-#include "lane_stack.glsl"
-layout(constant_id = CHARTED_SPEC_QUANTISED) const bool QUANTISED = false;
+#include "trace/lane_stack.glsl"
 
 layout(local_size_x = 64) in;
 layout(binding = CHARTED_RAYS) uniform usamplerBuffer rayTexels;
