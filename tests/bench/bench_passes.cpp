@@ -78,7 +78,7 @@ std::map<std::string, double> comparePasses(Report& report, const EmbreeScenes& 
   scene.sampler.sampleCount = setup.samples;
   const auto pixels = static_cast<std::uint64_t>(scene.camera.width) *
                       static_cast<std::uint64_t>(scene.camera.height);
-  EmbreePass pass(packScene(scene, {}, specialise(scene, {})), setup.samples);
+  EmbreePass pass(pack(scene, {}, uploadsOf(scene, {})), setup.samples);
   std::vector<Side> sides = sidesOf(embree, setup);
   EmbreePass::Result result;
   // A scene without lights is black: its samples are made and stored, and no ray is traced.

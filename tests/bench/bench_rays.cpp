@@ -160,7 +160,7 @@ void benchRays(Report& report, const EmbreeDevices& devices, const Rounds& round
     Scene scene = benchScene(name, subdivided);
     scene.integrator = {&integrators::directWhitted};
     scene.sampler.sampleCount = 1;
-    const SceneData data = packScene(scene, {}, specialise(scene, {}));
+    const Packed data = pack(scene, {}, uploadsOf(scene, {}));
     const EmbreeScenes embree(devices, scene);
     Tracers laver{{device, data.bvh, "lane"}, {device, data.bvh, fasterPackets(scene)}};
     const std::string title = subdivided == 0 ? "bunny" : "bunny x16";

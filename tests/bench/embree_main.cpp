@@ -28,8 +28,8 @@ struct Command {
   bool quiet = false;
 };
 
-SceneData pack(const Scene& scene) {
-  SceneData data;
+Packed pack(const Scene& scene) {
+  Packed data;
   data.constants = specialise(scene, {});
   data.space = normalisationOf(scene);
   packCamera(scene, data);
@@ -44,7 +44,7 @@ SceneData pack(const Scene& scene) {
   return data;
 }
 
-std::vector<glm::vec3> albedosOf(const Scene& scene, const SceneData& data) {
+std::vector<glm::vec3> albedosOf(const Scene& scene, const Packed& data) {
   std::vector<glm::vec3> albedos;
   if (data.constants[shared::SPEC_ALBEDOS] == 0) return albedos;
   for (const Mesh& mesh : scene.meshes)
@@ -74,7 +74,7 @@ void render(const Command& command) {
                             (command.isa.empty() ? "" : ",isa=" + command.isa));
   const EmbreeMesh mesh(scene);
   const EmbreeScene tree(device, mesh, RTC_SCENE_FLAG_ROBUST, RTC_BUILD_QUALITY_MEDIUM);
-  const SceneData data = pack(scene);
+  const Packed data = pack(scene);
   const std::uint32_t samples = scene.sampler.sampleCount;
   EmbreePass pass(data, std::min(samples, kPass), albedosOf(scene, data));
   EmbreeFilm film(scene.filter, scene.camera.width, scene.camera.height);

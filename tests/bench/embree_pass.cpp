@@ -22,7 +22,7 @@ void store(const T& from, T& to) {
 
 }  // namespace
 
-EmbreePass::EmbreePass(const SceneData& data, std::uint32_t samples, std::vector<glm::vec3> albedos)
+EmbreePass::EmbreePass(const Packed& data, std::uint32_t samples, std::vector<glm::vec3> albedos)
     : params_(data.params),
       sampler_(data.constants[shared::SPEC_SAMPLER]),
       lights_(data.lights),

@@ -30,7 +30,7 @@ class EmbreePass {
   /// Of a scene packed for `depth` or `direct_whitted` without vertex normals and with a film of
   /// whole 32 x 4 pixels; where meshes differ in albedo, `albedos` has it of each triangle. At most
   /// `samples` a pixel in one pass. Throws Error.
-  EmbreePass(const SceneData& data, std::uint32_t samples, std::vector<glm::vec3> albedos = {});
+  EmbreePass(const Packed& data, std::uint32_t samples, std::vector<glm::vec3> albedos = {});
 
   /// Samples [first, first + count) of each pixel. `clocked` reads a clock around each call.
   Result run(const EmbreeCall& call, std::uint32_t first, std::uint32_t count, unsigned threads,

@@ -38,7 +38,7 @@ std::pair<double, double> meanOfSpecks(int side, int seeds) {
   for (int seed = 0; seed < seeds; ++seed) {
     scene.sampler.seed = 1000 + seed;
     const Adaptive ours = renderTo(scene, adaptive(0.03));
-    EXPECT_GT(ours.stats.most, 2 * ours.stats.least);
+    EXPECT_GT(ours.stats.max, 2 * ours.stats.min);
     for (int y = 0; y < side; ++y)
       for (int x = 0; x < side; ++x) {
         sum += static_cast<double>(ours.image.at(x, y, 2));

@@ -6,7 +6,7 @@
 #include "lab/chart/methods/methods.h"
 #include "lab/chart/methods/quantise.h"
 #include "pictures/harness.h"
-#include "render/scene_data.h"
+#include "render/packed.h"
 #include "shared/triangle.h"
 
 namespace laver::chart {
@@ -21,7 +21,7 @@ Scene ballScene() {
   return scene;
 }
 
-Bvh ballTree() { return packScene(ballScene(), {}, specialise(ballScene(), {})).bvh; }
+Bvh ballTree() { return pack(ballScene(), {}, uploadsOf(ballScene(), {})).bvh; }
 
 TEST(ChartMethods, QuantisedNodesHoldWhatTheyStandFor) {
   for (const Bvh& bvh : {ballTree(), withTightBoxes(ballTree())}) {
@@ -113,7 +113,7 @@ std::vector<MethodHit> hitsBy(const Bvh& bvh, std::span<const MethodRay> rays,
 }
 
 TEST(ChartMethods, OneWrongComparisonShowsAtEdges) {
-  const SceneData data = packScene(ballScene(), {}, specialise(ballScene(), {}));
+  const Packed data = pack(ballScene(), {}, uploadsOf(ballScene(), {}));
   const glm::vec3 origin(data.params.origin);
   MethodJudge judge(data.bvh);
   std::vector<MethodRay> rays;
@@ -137,10 +137,10 @@ TEST(ChartMethods, OneWrongComparisonShowsAtEdges) {
 }
 
 TEST(ChartMethods, AWrongAnswerIsNotExcused) {
-  const SceneData data = packScene(ballScene(), {}, specialise(ballScene(), {}));
+  const Packed data = pack(ballScene(), {}, uploadsOf(ballScene(), {}));
   MethodJudge judge(data.bvh);
-  const std::vector<MethodRay> rays{{glm::vec3(data.params.origin), 0.0F,
-                                     -glm::vec3(data.params.origin) + glm::vec3(0.01F, 0.02F, 0.0F),
+  const std::vector<MethodRay> rays{{data.params.origin, 0.0F,
+                                     -data.params.origin + glm::vec3(0.01F, 0.02F, 0.0F),
                                      1e30F}};
   judge.expect(rays);
   MethodHit hit{glm::vec3(0.0F), 1.0F, shared::NO_HIT};

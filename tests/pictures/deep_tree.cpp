@@ -31,7 +31,7 @@ TEST(DeepTree, KernelsAreCompiledAnewForItsStack) {
   for (const char* traversal : kTraversals) {
     Stats stats;
     const Image image = Renderer(cpuDevice(traversal)).render(scene, {}, stats).image;
-    EXPECT_GT(stats.stack, specialise(scene, {})[shared::SPEC_STACK]);
+    EXPECT_GT(stats.stack, choicesOf(scene).pictures.front().key.stack);
     // All rays meet the smallest triangle at depth 5: nothing here is near an edge.
     for (std::size_t i = 0; i < truth.pixels.size(); ++i)
       ASSERT_NEAR(image.pixels[i], truth.pixels[i], 1e-6F) << traversal << ' ' << i;

@@ -91,7 +91,7 @@ TEST(Device, APacketThatMeetsTooMuchIsTracedRayByRay) {
   Stats own;
   Renderer(cpuDevice()).render(scene, {}, own);
   EXPECT_EQ(own.traversal, "lane");
-  EXPECT_EQ(own.leftOut.size() + 1, stats.leftOut.size());
+  EXPECT_EQ(own.reasons.size() + 1, stats.reasons.size());
 }
 
 TEST(Device, NoHoleInAClosedMeshSeenFromInside) {

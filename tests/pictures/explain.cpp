@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "pictures/harness.h"
-#include "render/scene_data.h"
+#include "render/packed.h"
 
 namespace laver::test {
 namespace {

@@ -12,9 +12,11 @@
 
 #include "core/error.h"
 #include "image/image.h"
+#include "render/choices.h"
 #include "render/observer.h"
 #include "render/renderer.h"
 #include "scene/scene.h"
+#include "vulkan/device.h"
 
 namespace laver::test {
 
@@ -55,6 +57,16 @@ inline Image render(const Scene& scene, const VulkanOptions& vulkan = cpuDevice(
   EXPECT_EQ(rendered.droppedSamples, 0U) << scene.file;
   return std::move(rendered.image);
 }
+
+inline const DeviceInfo& cpuInfo() {
+  static const DeviceInfo info = [] {
+    const Instance instance(false);
+    return deviceInfo(choosePhysicalDevice(instance, cpuDevice().device));
+  }();
+  return info;
+}
+
+inline Choices choicesOf(const Scene& scene) { return choose(scene, {}, {}, cpuInfo()); }
 
 /// Ends a render after some passes.
 class StopAfter : public Observer {

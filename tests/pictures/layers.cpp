@@ -5,7 +5,7 @@
 #include "pictures/command_line.h"
 #include "pictures/explain.h"
 #include "pictures/harness.h"
-#include "render/specialise.h"
+#include "render/choices.h"
 
 namespace laver::test {
 namespace {
@@ -184,7 +184,7 @@ TEST(Layers, AreTheSameHoweverTheyAreMade) {
   const Image whole = render(scene, cpuDevice(), options);
   VulkanOptions pieces = cpuDevice(), generic = cpuDevice();
   pieces.samplesInFlight = std::uint64_t{131} * 7 * 5;
-  generic.generic = kAllConstants;
+  generic.general = generalParts();
   for (const char* traversal : kTraversals)
     EXPECT_EQ(differingFloats(whole, render(scene, cpuDevice(traversal), options)), 0U)
         << traversal;

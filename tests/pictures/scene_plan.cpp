@@ -5,45 +5,37 @@
 
 #include "pictures/command_line.h"
 #include "pictures/harness.h"
+#include "render/packed.h"
 
 namespace laver::test {
 namespace {
 
-const DeviceInfo& cpu() {
-  static const DeviceInfo info = [] {
-    const Instance instance(false);
-    return deviceInfo(choosePhysicalDevice(instance, "cpu"));
-  }();
-  return info;
-}
-
-const ScenePlan::Line& line(const ScenePlan& plan, const std::string& what) {
-  for (const ScenePlan::Line& candidate : plan.lines)
+const Reason& line(const ScenePlan& plan, const std::string& what) {
+  for (const Reason& candidate : plan.reasons)
     if (candidate.what == what) return candidate;
   throw std::out_of_range(what);
 }
 
-/// Bytes that a scene's upload grows by where these constants are made generic.
-std::uint64_t bytesSaved(const Scene& scene, std::uint32_t which) {
-  const SpecConstants needed = specialise(scene, {});
-  SpecConstants any = generalise(needed, which);
-  if ((which & 1U << shared::SPEC_NORMALS) != 0)
-    any[shared::SPEC_INDEX_BYTES] = indexBytes(scene, true);
-  return uploadedBytes(packScene(scene, {}, any)) - uploadedBytes(packScene(scene, {}, needed));
+/// Bytes that a scene's upload grows by where this part is made general.
+std::uint64_t bytesSaved(const Scene& scene, const std::string& part) {
+  const Choices needed = choicesOf(scene);
+  Uploads general = generalised(needed, {part}).uploads;
+  general.indexBytes = part == "normals" ? indexBytesOf(scene, true) : general.indexBytes;
+  return bytesOf(pack(scene, {}, general)) - bytesOf(pack(scene, {}, needed.uploads));
 }
 
 TEST(ScenePlan, BytesAreThoseThatAGenericRenderUploadsMore) {
   for (const char* name : {"bunny-depth.xml", "bunny-whitted.xml", "cornell-two-lights.xml",
                            "curved-normals.xml", "mirrored-instances.xml"}) {
     const Scene scene = smallScene(name, 16, 1);
-    const ScenePlan plan = planScene(scene, {}, "", cpu());
-    const auto expect = [&](const char* what, std::uint32_t constant) {
-      EXPECT_EQ(line(plan, what).bytesNotUploaded, bytesSaved(scene, 1U << constant))
+    const ScenePlan plan = planScene(scene, {}, {}, cpuInfo());
+    const auto expect = [&](const char* what, const char* part) {
+      EXPECT_EQ(line(plan, what).bytesNotUploaded, bytesSaved(scene, part))
           << name << ' ' << what;
     };
-    expect("vertex normals", shared::SPEC_NORMALS);
-    expect("materials", shared::SPEC_ALBEDOS);
-    if (line(plan, "indices").decision != "left out") expect("indices", shared::SPEC_INDEX_BYTES);
+    expect("vertex normals", "normals");
+    expect("materials", "materials");
+    if (line(plan, "indices").choice != "left out") expect("indices", "index bytes");
   }
 }
 
@@ -53,17 +45,17 @@ TEST(ScenePlan, FiguresAreThoseOfTheRender) {
     const Scene scene = smallScene(name, 300, 37);
     RenderOptions options;
     options.crop = Crop{10, 20, 290, 150};
-    const auto figures = planScene(scene, options, "", cpu()).figures;
+    const auto figures = planScene(scene, options, {}, cpuInfo()).figures;
     Stats stats;
     Renderer(cpuDevice()).render(scene, options, stats);
     EXPECT_EQ(figures["bands"], stats.bands);
-    EXPECT_EQ(figures["passesABand"].get<unsigned>() * stats.bands, stats.passes);
-    EXPECT_EQ(figures["samplesAPass"], stats.samplesAPass);
+    EXPECT_EQ(figures["passesPerBand"].get<unsigned>() * stats.bands, stats.passes);
+    EXPECT_EQ(figures["samplesPerPass"], stats.samplesPerPass);
     EXPECT_EQ(figures["nodes"], stats.nodes);
-    EXPECT_EQ(figures["seen"], stats.seen);
+    EXPECT_EQ(figures["seen"], stats.coverage);
     EXPECT_EQ(figures["depth"], stats.depth);
     EXPECT_EQ(figures["stackNeeded"], stats.stack);
-    less += stats.seen < 1.0 ? 1 : 0;
+    less += stats.coverage < 1.0 ? 1 : 0;
   }
   EXPECT_EQ(less, 1);  // the crop of the box has no black edge
 }
@@ -74,26 +66,26 @@ TEST(ScenePlan, TellsTheTraversalThatTheRenderTakes) {
     scene.camera.width = scene.camera.height = width;
     Stats stats;
     Renderer(cpuDevice()).render(scene, {}, stats);
-    EXPECT_EQ(planScene(scene, {}, "", cpu()).traversal, stats.traversal) << width;
+    EXPECT_EQ(planScene(scene, {}, {}, cpuInfo()).traversal, stats.traversal) << width;
   }
-  EXPECT_EQ(planScene(scene, {}, "lane", cpu()).traversal, "lane");
+  EXPECT_EQ(planScene(scene, {}, cpuDevice("lane"), cpuInfo()).traversal, "lane");
 }
 
 TEST(ScenePlan, TellsWhatSamplerAdaptionAndDensityDecide) {
   Scene scene = smallScene("bunny-normals.xml", 200, 85);  // 1.7 triangles to a pixel
-  ScenePlan plan = planScene(scene, {}, "", cpu());
-  EXPECT_EQ(line(plan, "sampler").decision, "independent");
-  EXPECT_EQ(line(plan, "adaptive").decision, "off");
-  EXPECT_EQ(line(plan, "side by side").decision, "64 samples of a pixel");
+  ScenePlan plan = planScene(scene, {}, {}, cpuInfo());
+  EXPECT_EQ(line(plan, "sampler").choice, "independent");
+  EXPECT_EQ(line(plan, "adaptive").choice, "off");
+  EXPECT_EQ(line(plan, "side by side").choice, "64 samples of a pixel");
   scene.camera.width = scene.camera.height = 300;
-  EXPECT_EQ(planScene(scene, {}, "", cpu()).figures["samplesSideBySide"], 16);
+  EXPECT_EQ(planScene(scene, {}, {}, cpuInfo()).figures["samplesSideBySide"], 16);
   scene.sampler.row = &samplers::sobol;
   RenderOptions options;
   options.error = 0.01;
-  plan = planScene(scene, options, "", cpu());
-  EXPECT_EQ(line(plan, "sampler").decision, "sobol");
-  EXPECT_EQ(line(plan, "sampler tables").decision, "none");
-  EXPECT_EQ(line(plan, "adaptive").decision, "1 to 84 samples a pixel");
+  plan = planScene(scene, options, {}, cpuInfo());
+  EXPECT_EQ(line(plan, "sampler").choice, "sobol");
+  EXPECT_EQ(line(plan, "sampler tables").choice, "none");
+  EXPECT_EQ(line(plan, "adaptive").choice, "1 to 84 samples per pixel");
 }
 
 TEST(ScenePlan, TellsOfTexturesBackgroundAndLayers) {
@@ -101,32 +93,32 @@ TEST(ScenePlan, TellsOfTexturesBackgroundAndLayers) {
   scene.integrator = {&integrators::directWhitted};
   scene.lights.clear();
   scene.meshes[0].bsdf.texture = Texture();
-  ScenePlan plan = planScene(scene, {}, "", cpu());
-  EXPECT_EQ(line(plan, "camera rays").decision, "none traced");
-  EXPECT_EQ(line(plan, "textures").decision, "left out");
-  EXPECT_EQ(line(plan, "background").decision, "black");
+  ScenePlan plan = planScene(scene, {}, {}, cpuInfo());
+  EXPECT_EQ(line(plan, "camera rays").choice, "none traced");
+  EXPECT_EQ(line(plan, "textures").choice, "left out");
+  EXPECT_EQ(line(plan, "background").choice, "black");
   scene.environment = Environment();
-  plan = planScene(scene, {}, "", cpu());
-  EXPECT_EQ(line(plan, "camera rays").reason, "what they miss shows");
-  EXPECT_EQ(line(plan, "background").decision, "one radiance");
-  EXPECT_EQ(line(plan, "vertex normals").decision, "left out");
+  plan = planScene(scene, {}, {}, cpuInfo());
+  EXPECT_EQ(line(plan, "camera rays").why, "what they miss shows");
+  EXPECT_EQ(line(plan, "background").choice, "one radiance");
+  EXPECT_EQ(line(plan, "vertex normals").choice, "left out");
   RenderOptions options;
   options.layers = {Layer::Albedo, Layer::Normals};
-  plan = planScene(scene, options, "", cpu());
+  plan = planScene(scene, options, {}, cpuInfo());
   EXPECT_EQ(plan.figures["pictures"], 3);
-  EXPECT_EQ(line(plan, "camera rays").reason, "what they hit shows");
-  EXPECT_EQ(line(plan, "textures").decision, "checkers");
-  EXPECT_EQ(line(plan, "pictures").decision, "left out");
-  EXPECT_NE(line(plan, "vertex normals").decision, "left out");
+  EXPECT_EQ(line(plan, "camera rays").why, "what they hit shows");
+  EXPECT_EQ(line(plan, "textures").choice, "checker");
+  EXPECT_EQ(line(plan, "images").choice, "left out");
+  EXPECT_NE(line(plan, "vertex normals").choice, "left out");
 }
 
 TEST(ScenePlan, TellsOfSpheres) {
   const Scene scene = smallScene("spheres.xml", 16, 1);
-  const ScenePlan plan = planScene(scene, {}, "", cpu());
-  EXPECT_EQ(line(plan, "spheres").decision, "5 spheres");
+  const ScenePlan plan = planScene(scene, {}, {}, cpuInfo());
+  EXPECT_EQ(line(plan, "spheres").choice, "5 spheres");
   EXPECT_EQ(plan.figures["triangles"], 1157U);
   EXPECT_EQ(
-      line(planScene(smallScene("bunny-depth.xml", 16, 1), {}, "", cpu()), "spheres").decision,
+      line(planScene(smallScene("bunny-depth.xml", 16, 1), {}, {}, cpuInfo()), "spheres").choice,
       "left out");
 }
 
@@ -134,7 +126,7 @@ TEST_F(CommandLine, PlanPrintsTextAndJsonAndWritesNothing) {
   write("test.xml", kFirstScene);
   const Outcome text = laver("plan test.xml --device cpu --spp 7");
   EXPECT_EQ(text.code, 0) << text.err;
-  EXPECT_NE(text.out.find("sampler tables       2 of 3: 7 samples a pixel"), std::string::npos)
+  EXPECT_NE(text.out.find("sampler tables       2 of 3: 7 samples per pixel"), std::string::npos)
       << text.out;
   const Outcome json = laver("plan test.xml --device cpu --json --size 40x30 --crop 3,4,13,24");
   ASSERT_EQ(json.code, 0) << json.err;

@@ -46,7 +46,7 @@ constexpr const IntegratorRow* kAll[] = {&integrators::directWhitted, &integrato
 
 void expectMatch(const Scene& scene, bool alsoGeneric = false) {
   VulkanOptions generic = cpuDevice();
-  generic.generic = true;
+  generic.general = {"stack"};
   const Image image = render(scene);
   expectSameByAll(image, scene);
   if (alsoGeneric) {

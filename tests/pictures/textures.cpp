@@ -5,7 +5,7 @@
 #include "lab/explain/explain.h"
 #include "pictures/explain.h"
 #include "pictures/harness.h"
-#include "render/specialise.h"
+#include "render/choices.h"
 #include "render/texture_data.h"
 #include "unit/reference_scenes.h"
 
@@ -116,7 +116,7 @@ TEST(Textures, ManyLightsAddTheBackgroundOnce) {
 
 TEST(Textures, KernelsSpecialisedOrNotGiveTheSameBits) {
   VulkanOptions generic = cpuDevice();
-  generic.generic = kAllConstants;
+  generic.general = generalParts();
   for (const bool floats : {false, true}) {
     Scene scene = sheet(showing(noise(8, 8, floats)));
     EXPECT_EQ(differingFloats(render(scene), render(scene, generic)), 0U);
@@ -211,7 +211,7 @@ TEST(Backgrounds, EverySampleOfTexturesAndBackgroundIsExplained) {
 TEST(TextureData, PicturesArePackedOnceAndBytesStayBytes) {
   Scene scene = sheet(showing(noise(8, 8, false)));
   scene.meshes[1].bsdf.texture = scene.meshes[0].bsdf.texture;
-  const SceneData data = packScene(scene, {}, specialise(scene, {}));
+  const Packed data = pack(scene, {}, uploadsOf(scene, {}));
   EXPECT_EQ(data.images.size(), 256U + 64U);
   EXPECT_EQ(data.uvs.size(), 12U);
   EXPECT_EQ(data.textures.size(), 2U);
@@ -224,7 +224,7 @@ TEST(TextureData, WhatIsNotShownIsNotUploaded) {
   scene.environment->image = noise(8, 4, true);
   using Sizes = std::pair<std::size_t, std::size_t>;  // words of pictures, texture coordinates
   const auto packed = [&] {
-    const SceneData data = packScene(scene, {}, specialise(scene, {}));
+    const Packed data = pack(scene, {}, uploadsOf(scene, {}));
     return Sizes(data.images.size(), data.uvs.size());
   };
   EXPECT_EQ(packed(), Sizes(256U + 64U + 96U, 6U));

@@ -7,7 +7,7 @@
 #include "lab/explain/explain.h"
 #include "pictures/harness.h"
 #include "reference/reference.h"
-#include "render/scene_data.h"
+#include "render/packed.h"
 #include "stability/record.h"
 #include "stability/subject.h"
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <random>
 
-#include "render/scene_data.h"
+#include "render/packed.h"
 #include "stability/naive.h"
 #include "stability/record.h"
 #include "stability/subject.h"
@@ -89,7 +89,7 @@ std::uint64_t naiveShadows(const Plane& plane, const std::vector<glm::dvec2>& wh
 }
 
 /// Ours: for each target, whether it sees the light; the scene as the renderer packs it.
-std::vector<std::uint32_t> sightOf(const Plane& plane, const SceneData& data, Subject& subject,
+std::vector<std::uint32_t> sightOf(const Plane& plane, const Packed& data, Subject& subject,
                                    const std::vector<glm::dvec2>& where, double elevation) {
   const glm::vec3 eye(data.space.apply(plane.at(0.1, -0.2, plane.setting.camera)));
   std::vector<test::TestRay> rays;
@@ -130,7 +130,7 @@ LAVER_STABILITY(04, Acne, "A flat plane lit at grazing angles") {
     naiveRays += few;
     naiveCount += naiveShadows(
         plane, {where.begin(), where.begin() + static_cast<std::ptrdiff_t>(few)}, nullptr);
-    const SceneData data = packScene(plane.scene, {}, specialise(plane.scene, {}));
+    const Packed data = pack(plane.scene, {}, uploadsOf(plane.scene, {}));
     for (const auto& subject : subjects(data.bvh)) {
       if (!sums.contains(subject->name)) order.push_back(subject->name);
       Sum& sum = sums[subject->name];
@@ -157,7 +157,7 @@ LAVER_STABILITY(04, Acne, "A flat plane lit at grazing angles") {
     for (int x = 0; x < 96; ++x) grid.emplace_back((x - 47.5) / 48.5, (y - 47.5) / 48.5);
   const Plane plane({1e3, 0.0, 3.0, 1.0});
   naiveShadows(plane, grid, &before);
-  const SceneData data = packScene(plane.scene, {}, specialise(plane.scene, {}));
+  const Packed data = pack(plane.scene, {}, uploadsOf(plane.scene, {}));
   const auto lane = std::move(subjects(data.bvh).front());
   for (std::size_t e = 0; e < 3; ++e) {
     const auto seen = sightOf(plane, data, *lane, grid, kElevations[e]);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "render/scene_data.h"
+#include "render/packed.h"
 #include "stability/naive.h"
 #include "stability/record.h"
 #include "stability/subject.h"
@@ -66,7 +66,7 @@ bool naiveSees(const Contact& c, double light) {
 }
 
 /// The floor's points by camera rays that start right above them, below the plate.
-bool seesAll(Subject& subject, const Contact& c, const SceneData& data, double light) {
+bool seesAll(Subject& subject, const Contact& c, const Packed& data, double light) {
   const glm::vec3 lamp(data.space.apply(c.at(0.0, 0.0, light)));
   std::vector<glm::vec3> points;
   for (const shared::Triangle& t : data.bvh.triangles) {
@@ -112,7 +112,7 @@ LAVER_STABILITY(05, Contact, "The smallest contact gap that still casts a shadow
           naiveGap = g;
         else
           naiveGap = -std::abs(naiveGap);
-        const SceneData data = packScene(c.scene, {}, specialise(c.scene, {}));
+        const Packed data = pack(c.scene, {}, uploadsOf(c.scene, {}));
         for (const auto& subject : subjects(data.bvh)) {
           if (!smallest.contains(subject->name)) order.push_back(subject->name);
           double& gap = smallest.try_emplace(subject->name, 1.0).first->second;

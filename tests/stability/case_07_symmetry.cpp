@@ -6,7 +6,7 @@
 #include <map>
 
 #include "pictures/harness.h"
-#include "render/scene_data.h"
+#include "render/packed.h"
 #include "stability/exact.h"
 #include "stability/meshes.h"
 #include "stability/record.h"
@@ -58,7 +58,7 @@ LAVER_STABILITY(07, Symmetry, "Mirrored, axes permuted, translated") {
     Scene scene;
     scene.meshes = {ball};
     for (dvec3& p : scene.meshes[0].positions) p = change.apply(p);
-    const SceneData data = packScene(scene, {}, specialise(scene, {}));
+    const Packed data = pack(scene, {}, uploadsOf(scene, {}));
     std::vector<test::TestRay> moved;
     for (std::size_t i = 0; i < rays.origins.size(); ++i) {
       const glm::vec3 origin(data.space.apply(change.apply(rays.origins[i])));

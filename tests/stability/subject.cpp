@@ -87,7 +87,7 @@ std::vector<std::unique_ptr<Subject>> subjects(const Bvh& bvh) {
   static const Device device(choosePhysicalDevice(instance, testDevice()));
   std::vector<std::unique_ptr<Subject>> all;
   all.push_back(std::make_unique<DeviceSubject>(device, bvh, "lane"));
-  if (bestTraversal(device.info()) == "packet")
+  if (runsPackets(device.info()))
     for (const char* packet : {"packet32", "packet64"})
       all.push_back(std::make_unique<DeviceSubject>(device, bvh, packet));
   for (const Twin* twin : twins()) all.push_back(std::make_unique<TwinSubject>(twin, bvh));

@@ -4,7 +4,7 @@
 
 #include "pictures/harness.h"
 #include "reference/tree.h"
-#include "render/scene_data.h"
+#include "render/packed.h"
 #include "render/traversal.h"
 #include "trace/ray_tracer.h"
 
@@ -42,7 +42,7 @@ class TraceRays : public testing::Test {
 
   Instance instance_{false};
   Device device_{choosePhysicalDevice(instance_, "cpu")};
-  SceneData scene_ = packScene(bumpyBall(), {}, specialise(bumpyBall(), {}));
+  Packed scene_ = pack(bumpyBall(), {}, uploadsOf(bumpyBall(), {}));
   RayTracer lane_{device_, scene_.bvh, "lane"};
   std::mt19937 engine_{17};
 };
@@ -105,7 +105,7 @@ TEST_F(TraceRays, PointsAreSeenAsInTheReference) {
 }
 
 TEST_F(TraceRays, PacketsFindTheSameToTheBit) {
-  if (bestTraversal(device_.info()) != "packet")
+  if (!runsPackets(device_.info()))
     GTEST_SKIP() << "no subgroups of 8, or no 64-bit integers";
   const std::vector<TestRay> rays = someRays();
   std::vector<vec3> points;

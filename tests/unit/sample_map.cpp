@@ -24,20 +24,20 @@ std::vector<Image> pilotsWith(Crop square, float height) {
 
 TEST(SampleMap, SmoothPlacesGetTheLeast) {
   const SampleMap map = decideSamples(pilotsWith({}, 0.0F), kArea, 0.01, 256, 1);
-  EXPECT_EQ(map.most(kArea), 1U);
+  EXPECT_EQ(map.max(kArea), 1U);
 }
 
 TEST(SampleMap, OneSampleIsForASixthOfTheErrorInWholeBlocks) {
   // s is 0.7071 of the height.
   constexpr Crop kBlocks{16, 16, 32, 32};
   const SampleMap below = decideSamples(pilotsWith(kBlocks, 0.0023F), kArea, 0.01, 256, 1);
-  EXPECT_EQ(below.most(kArea), 1U);
+  EXPECT_EQ(below.max(kArea), 1U);
   const SampleMap above = decideSamples(pilotsWith(kBlocks, 0.0024F), kArea, 0.01, 256, 1);
   EXPECT_EQ(above.samplesOf(kArea, 256), 4096U + 3U * 256U);
   // One cell that needs more brings its block with it, and no other.
   const SampleMap one = decideSamples(pilotsWith({18, 18, 19, 19}, 0.05F), kArea, 0.01, 256, 1);
   EXPECT_EQ(one.samplesOf(kArea, 256), 4096U + 3U * 64U);
-  EXPECT_EQ(one.most({16, 16, 24, 24}), 4U);
+  EXPECT_EQ(one.max({16, 16, 24, 24}), 4U);
 }
 
 TEST(SampleMap, ACellGetsItsVarianceByTheSquareOfTheErrorInStepsOfFour) {
@@ -63,7 +63,7 @@ TEST(SampleMap, NeighboursGetAQuarter) {
 TEST(SampleMap, NoPixelGetsMoreThanTheBound) {
   const SampleMap map = decideSamples(pilotsWith({19, 19, 25, 25}, 0.9F), kArea, 1e-6, 128, 1);
   EXPECT_EQ(map.pixel(20, 20), 128U);
-  EXPECT_EQ(map.most(kArea), 128U);
+  EXPECT_EQ(map.max(kArea), 128U);
 }
 
 TEST(SampleMap, AboveWhiteTheErrorIsRelative) {
@@ -101,8 +101,8 @@ TEST(SampleMap, CountsOfARegionAreThoseOfTheCellsThatItTouches) {
   ASSERT_EQ(counts.size(), 4U);
   EXPECT_EQ(counts[0].samples, 4U);
   EXPECT_EQ(counts[2].samples, 20U);
-  EXPECT_EQ(map.most({11, 3, 13, 5}), 20U);
-  EXPECT_EQ(map.most({12, 3, 16, 8}), 4U);
+  EXPECT_EQ(map.max({11, 3, 13, 5}), 20U);
+  EXPECT_EQ(map.max({12, 3, 16, 8}), 4U);
   EXPECT_EQ(map.samplesOf({11, 3, 13, 5}, 16), 4U + 4U + 16U + 4U);
 }
 

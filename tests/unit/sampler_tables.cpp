@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "render/sampler_data.h"
+#include "render/pack_parts.h"
 
 namespace laver {
 namespace {
@@ -29,7 +29,8 @@ std::uint64_t join(glm::uvec2 halves) {
 }
 
 /// Steps that the tables reach for a pixel of a block and a sample.
-PcgJump lookUp(const SceneData& data, std::uint32_t pixel, std::uint32_t number) {
+PcgJump lookUp(const Packed& data, std::uint32_t levels, std::uint32_t pixel,
+               std::uint32_t number) {
   const auto entry = [&](std::size_t i) {
     return PcgJump{join(data.jumps.at(i).multiplier), join(data.jumps.at(i).increments)};
   };
@@ -38,11 +39,10 @@ PcgJump lookUp(const SceneData& data, std::uint32_t pixel, std::uint32_t number)
     const PcgJump next = entry(i);
     jump = {next.multiplier * jump.multiplier, next.multiplier * jump.increments + next.increments};
   };
-  const std::uint32_t levels = data.constants[shared::SPEC_JUMP_LEVELS];
-  if (levels == 2) follow(data.params.samplerArgs.x + number);
+  if (levels == 2) follow(data.params.samplerArguments.x + number);
   if (levels == 3) {
-    follow(data.params.samplerArgs.x + number % data.params.samplerArgs.z);
-    follow(data.params.samplerArgs.y + number / data.params.samplerArgs.z);
+    follow(data.params.samplerArguments.x + number % data.params.samplerArguments.z);
+    follow(data.params.samplerArguments.y + number / data.params.samplerArguments.z);
   }
   return jump;
 }
@@ -51,17 +51,15 @@ TEST(SamplerTables, EveryLevelReachesTheSamplesOwnNumber) {
   for (const std::uint32_t samples : {1U, 7U, 1024U, 1025U, 65536U}) {
     Scene scene;
     scene.sampler.sampleCount = samples;
-    SceneData data;
-    data.constants[shared::SPEC_JUMP_LEVELS] = jumpLevels(samples);
-    packSampler(scene, data);
-    EXPECT_EQ(data.constants[shared::SPEC_JUMP_LEVELS], samples == 1      ? 1U
-                                                        : samples <= 1024 ? 2U
-                                                                          : 3U);
+    Packed data;
+    const std::uint32_t levels = jumpLevels(samples);
+    EXPECT_EQ(levels, samples == 1 ? 1U : samples <= 1024 ? 2U : 3U);
+    packSampler(scene, levels, data);
     for (const std::uint32_t pixel : {0U, 1U, 500U, 1023U})
       for (const std::uint32_t number : {0U, samples / 2, samples - 1}) {
         const PcgJump wanted =
             pcgJump(4ULL * (static_cast<std::uint64_t>(pixel) * samples + number) + 1);
-        const PcgJump got = lookUp(data, pixel, number);
+        const PcgJump got = lookUp(data, levels, pixel, number);
         EXPECT_EQ(got.multiplier, wanted.multiplier);
         EXPECT_EQ(got.increments, wanted.increments);
       }

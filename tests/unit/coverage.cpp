@@ -3,13 +3,13 @@
 
 #include <random>
 
-#include "render/projection.h"
+#include "render/scene_coverage.h"
 #include "render/specialise.h"
 
 namespace laver {
 namespace {
 
-SceneData packed(const Scene& scene) { return packScene(scene, {}, specialise(scene, {})); }
+Packed packed(const Scene& scene) { return pack(scene, {}, uploadsOf(scene, {})); }
 
 /// The film position that sees a point of the world, by the definition of Nori's camera; none
 /// behind.
@@ -56,7 +56,7 @@ TEST_P(Sees, EveryPointOfRandomTrianglesThroughRandomCameras) {
     camera.toWorld =
         glm::dmat4(glm::dvec4(x * mirrored, 0.0), glm::dvec4(glm::cross(z, x) * length, 0.0),
                    glm::dvec4(z * length, 0.0), glm::dvec4(2.0 * point(), 1.0));
-    const Footprint footprint = footprintOf(packed(scene));
+    const Coverage footprint = coverageOf(packed(scene));
     for (int i = 0; i < 1000; ++i) {
       const glm::uvec3 t = mesh.triangles[random() % mesh.triangles.size()];
       const double u = unit(random), v = unit(random) * (1.0 - u);
@@ -88,37 +88,37 @@ Scene square(double x0, double y0, double x1, double y1) {
   return scene;
 }
 
-TEST(Footprint, OfASquareIsTheSquare) {
-  const Footprint seen = footprintOf(packed(square(20.5, 30.5, 60.5, 50.5)));
+TEST(Coverage, OfASquareIsTheSquare) {
+  const Coverage seen = coverageOf(packed(square(20.5, 30.5, 60.5, 50.5)));
   EXPECT_DOUBLE_EQ(seen.share({20, 30, 61, 51}), 1.0);
   EXPECT_DOUBLE_EQ(seen.share({0, 0, 100, 100}), 41.0 * 21.0 / 1e4);
 }
 
-TEST(Footprint, OfWhatLiesBehindOrBesideIsEmpty) {
+TEST(Coverage, OfWhatLiesBehindOrBesideIsEmpty) {
   Scene scene = square(20, 20, 60, 60);
   scene.camera.toWorld[2] = {0.0, 0.0, -1.0, 0.0};
-  EXPECT_EQ(footprintOf(packed(scene)).share({0, 0, 100, 100}), 0.0);
-  EXPECT_EQ(footprintOf(packed(square(110, 20, 160, 60))).share({0, 0, 100, 100}), 0.0);
+  EXPECT_EQ(coverageOf(packed(scene)).share({0, 0, 100, 100}), 0.0);
+  EXPECT_EQ(coverageOf(packed(square(110, 20, 160, 60))).share({0, 0, 100, 100}), 0.0);
 }
 
-TEST(Footprint, OfAFloorUnderTheCameraEndsAtItsFarEdge) {
+TEST(Coverage, OfAFloorUnderTheCameraEndsAtItsFarEdge) {
   Scene scene = square(0, 0, 1, 1);
   scene.meshes[0].positions = {{-50, -1, -50}, {50, -1, -50}, {50, -1, 50}, {-50, -1, 50}};
-  const Footprint seen = footprintOf(packed(scene));
+  const Coverage seen = coverageOf(packed(scene));
   // The far edge is seen at y = 51.
   EXPECT_EQ(seen.share({0, 0, 100, 50}), 0.0);
   EXPECT_EQ(seen.share({0, 51, 100, 100}), 1.0);
 }
 
-TEST(Footprint, GrowsByColumnsAndRows) {
-  Footprint one(20, 20);
+TEST(Coverage, GrowsByColumnsAndRows) {
+  Coverage one(20, 20);
   one.add({9, 9, 10, 10});
-  const Footprint grown = one.grown(2);
+  const Coverage grown = one.grown(2);
   EXPECT_EQ(grown.share({7, 7, 12, 12}), 1.0);
   EXPECT_DOUBLE_EQ(grown.share({0, 0, 20, 20}), 25.0 / 400.0);
 }
 
-bool covers(const std::vector<Crop>& parts, const Footprint& seen, const Crop& area) {
+bool covers(const std::vector<Crop>& parts, const Coverage& seen, const Crop& area) {
   for (int y = area.y0; y < area.y1; ++y)
     for (int x = area.x0; x < area.x1; ++x) {
       int times = 0;
@@ -128,10 +128,10 @@ bool covers(const std::vector<Crop>& parts, const Footprint& seen, const Crop& a
   return true;
 }
 
-TEST(FootprintParts, HoldAllThatIsSeenOnceForAnyCosts) {
+TEST(CoverageParts, HoldAllThatIsSeenOnceForAnyCosts) {
   std::mt19937 random(1);
   for (int round = 0; round < 100; ++round) {
-    Footprint seen(120, 400);
+    Coverage seen(120, 400);
     for (unsigned i = 0; i < random() % 9; ++i) {
       const int x = static_cast<int>(random() % 110), y = static_cast<int>(random() % 380);
       seen.add(
@@ -150,8 +150,8 @@ TEST(FootprintParts, HoldAllThatIsSeenOnceForAnyCosts) {
   }
 }
 
-TEST(FootprintParts, AreFewWhereTheyAreDearAndTightWhereNot) {
-  Footprint seen(80, 40);
+TEST(CoverageParts, AreFewWhereTheyAreDearAndTightWhereNot) {
+  Coverage seen(80, 40);
   seen.add({0, 2, 8, 10});
   seen.add({64, 20, 80, 33});
   const Crop film{0, 0, 80, 40};
@@ -162,7 +162,7 @@ TEST(FootprintParts, AreFewWhereTheyAreDearAndTightWhereNot) {
   EXPECT_EQ(two[1].x0, 64);
   EXPECT_EQ(two[1].y0, 20);
   EXPECT_EQ(two[1].y1, 33);
-  EXPECT_TRUE(Footprint(80, 40).parts(film, {10, 0}).empty());
+  EXPECT_TRUE(Coverage(80, 40).parts(film, {10, 0}).empty());
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "render/plan.h"
+#include "render/tiling.h"
 #include "render/traversal.h"
 
 namespace laver {
@@ -14,7 +14,7 @@ VkPhysicalDeviceLimits lavapipeLimits() {
   return limits;
 }
 
-TEST(RenderPlan, RegionHasTheApronInsideTheFilmOnly) {
+TEST(Tiling, RegionHasTheApronInsideTheFilmOnly) {
   EXPECT_EQ(regionOf({0, 0, 100, 50}, 2, 100, 50), glm::uvec4(0, 0, 100, 50));
   EXPECT_EQ(regionOf({10, 20, 30, 40}, 2, 100, 50), glm::uvec4(8, 18, 24, 24));
   EXPECT_EQ(regionOf({1, 0, 100, 49}, 2, 100, 50), glm::uvec4(0, 0, 100, 50));
@@ -24,25 +24,26 @@ TEST(RenderPlan, RegionHasTheApronInsideTheFilmOnly) {
 void expectFits(int width, int height, std::uint32_t apron, std::uint32_t samples) {
   const auto limits = lavapipeLimits();
   const Crop film{0, 0, width, height};
-  const RenderPlan plan = planRender(limits, film, width, height, apron, samples, 0);
+  const Tiling plan = tile(limits, {film, width, height, apron, samples});
   ASSERT_GE(plan.bandRows, 1U);
-  ASSERT_GE(plan.samplesAPass, 1U);
-  ASSERT_LE(plan.samplesAPass, samples);
+  ASSERT_GE(plan.samplesPerPass, 1U);
+  ASSERT_LE(plan.samplesPerPass, samples);
   EXPECT_LE(plan.sampleSlots * kSampleBytes, limits.maxStorageBufferRange);
-  EXPECT_TRUE(plan.samplesAPass == samples || plan.samplesAPass % shared::GATHER_SAMPLES == 0);
+  EXPECT_TRUE(plan.samplesPerPass == samples || plan.samplesPerPass % shared::GATHER_SAMPLES == 0);
   EXPECT_LE(plan.bandPixels * sizeof(shared::FilmPixel), limits.maxStorageBufferRange);
   for (int y = 0; y < height; y += static_cast<int>(plan.bandRows)) {
     const Crop band{0, y, width, std::min(height, y + static_cast<int>(plan.bandRows))};
     const glm::uvec4 region = regionOf(band, apron, width, height);
-    ASSERT_LE(std::uint64_t{region.z} * region.w * plan.samplesAPass, plan.sampleSlots);
+    ASSERT_LE(std::uint64_t{region.z} * region.w * plan.samplesPerPass, plan.sampleSlots);
   }
-  // Turns of gather.comp's loops: groups of samples, rows, samples, columns.
+  // Iterations of film/gather.glsl's loops: groups of samples, rows, samples, columns.
+  constexpr std::uint64_t kGroup = shared::GATHER_SAMPLES;
   const std::uint64_t rows = plan.gatherRows + 2 * apron, columns = 2 * apron + 1;
-  EXPECT_LT((plan.samplesAPass + 3) / 4 * (1 + rows) + plan.samplesAPass * rows * (1 + columns),
-            65535U);
+  const std::uint64_t groups = (plan.samplesPerPass + kGroup - 1) / kGroup;
+  EXPECT_LT(groups * (1 + rows) + plan.samplesPerPass * rows * (1 + columns), 65535U);
 }
 
-TEST(RenderPlan, AnyFilmFitsTheDevice) {
+TEST(Tiling, AnyFilmFitsTheDevice) {
   expectFits(1280, 720, 2, 1);
   expectFits(1280, 720, 2, 4096);
   expectFits(1, 1, 2, 65536);
@@ -52,9 +53,9 @@ TEST(RenderPlan, AnyFilmFitsTheDevice) {
   expectFits(640, 480, 20, 64);
 }
 
-TEST(RenderPlan, AFilterTooWideIsRefusedWithBothNumbers) {
+TEST(Tiling, AFilterTooWideIsRefusedWithBothNumbers) {
   try {
-    planRender(lavapipeLimits(), {0, 0, 64, 64}, 64, 64, 200, 1, 0);
+    tile(lavapipeLimits(), {{0, 0, 64, 64}, 64, 64, 200, 1});
     FAIL() << "accepted";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ExitCode::Device);
@@ -64,11 +65,11 @@ TEST(RenderPlan, AFilterTooWideIsRefusedWithBothNumbers) {
   }
 }
 
-TEST(RenderPlan, AFilmTooWideIsRefusedByTheLimitsName) {
+TEST(Tiling, AFilmTooWideIsRefusedByTheLimitsName) {
   VkPhysicalDeviceLimits limits = lavapipeLimits();
   limits.maxStorageBufferRange = 1U << 20;
   try {
-    planRender(limits, {0, 0, 100000, 64}, 100000, 64, 2, 1, 0);
+    tile(limits, {{0, 0, 100000, 64}, 100000, 64, 2, 1});
     FAIL() << "accepted";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("maxStorageBufferRange"), std::string::npos);
@@ -89,7 +90,7 @@ class TraversalOf : public testing::Test {
     scene_.camera.height = height;
     scene_.sampler.sampleCount = samples;
     scene_.meshes[0].triangles.resize(triangles);
-    return traversalOf(scene_, device_, wanted).traversal;
+    return traversalName(traversalOf(scene_, device_, wanted).traversal);
   }
   DeviceInfo device_;
   Scene scene_;
