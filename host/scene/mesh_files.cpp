@@ -6,7 +6,7 @@
 #include <map>
 
 #include "core/parallel.h"
-#include "scene/obj_data.h"
+#include "scene/obj.h"
 
 namespace laver::xml {
 namespace {
@@ -83,15 +83,16 @@ void loadMeshes(const TextSource& source, Draft& draft, Diagnostics& diagnostics
   parallelFor(meshes.size(), 1, 0, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const MeshDraft& from = draft.meshes[i];
+      if (!from.sphere) {
+        const obj::ObjData& data = files[static_cast<std::size_t>(fileOf[i])].loaded.data;
+        std::optional<Mesh> mesh = obj::toWorld(data, from.toWorld);
+        if (!mesh) continue;
+        meshes[i] = std::move(*mesh);
+      }
+      finite[i] = 1;
       meshes[i].name = from.filename;
       meshes[i].bsdf = from.bsdf;
       meshes[i].sphere = from.sphere;
-      if (from.sphere) {
-        finite[i] = 1;
-        continue;
-      }
-      const obj::ObjData& data = files[static_cast<std::size_t>(fileOf[i])].loaded.data;
-      finite[i] = obj::toWorld(data, from.toWorld, meshes[i]) ? 1 : 0;
     }
   });
   for (std::size_t i = 0; i < meshes.size(); ++i) {

@@ -1,53 +1,143 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <limits>
 
 #include "scene/numbers.h"
-#include "scene/obj_data.h"
-#include "scene/obj_lines.h"
+#include "scene/obj.h"
 #include "scene/text_source.h"
 
 namespace laver::obj {
 namespace {
 
-constexpr std::size_t kMostErrors = 10;
-
-// Statements that hold no surface, or none that a triangle renderer misses.
-constexpr std::array<std::string_view, 20> kHarmless = {
-    "o", "g",  "s",  "mg",  "usemtl", "mtllib", "usemap",   "maplib",   "l",          "p",
-    "t", "vp", "vw", "lod", "bevel",  "end",    "c_interp", "d_interp", "shadow_obj", "trace_obj"};
-
+constexpr std::size_t kMaxErrors = 10;
 constexpr std::array<const char*, 3> kKinds = {"vertex", "texture coordinate", "normal"};
+
+// Walks the lines of an OBJ text that hold data, split into words. Lines end with LF, CR LF or CR.
+// What tinyobjloader does not know is blanked in place: a byte order mark, comments behind data,
+// and the backslash and line end by which a line of data continues in the next.
+class Lines {
+ public:
+  explicit Lines(std::string text) : text_(std::move(text)) {
+    if (text_.starts_with("\xEF\xBB\xBF")) text_.replace(0, 3, "   ");
+  }
+
+  // Goes to the next line that has words; false at the end.
+  bool next() {
+    words_.clear();
+    while (words_.empty() && nextBegin_ < text_.size()) {
+      begin_ = nextBegin_;
+      const std::size_t end = joinedLineEnd();
+      split(end);
+      nextBegin_ = end + 1;
+    }
+    return !words_.empty();
+  }
+
+  // The words of the line, the statement's name first.
+  const std::vector<std::string_view>& words() const { return words_; }
+  std::size_t offset() const { return begin_; }
+  std::size_t offsetOf(std::string_view word) const {
+    return static_cast<std::size_t>(word.data() - text_.data());
+  }
+
+  // Overwrites a word by a text that is not longer.
+  void replace(std::string_view word, std::string_view text) {
+    const auto place = text_.begin() + static_cast<std::ptrdiff_t>(offsetOf(word));
+    std::fill_n(std::copy(text.begin(), text.end(), place), word.size() - text.size(), ' ');
+  }
+
+  // The number of the line at an offset, from 1, as the original text counts them. Slow.
+  std::size_t lineOf(std::size_t offset) const {
+    std::size_t line = 1;
+    for (std::size_t i = 0; i < offset && i < text_.size(); ++i) {
+      const bool crLf = text_[i] == '\r' && i + 1 < text_.size() && text_[i + 1] == '\n';
+      if (text_[i] == '\n' || (text_[i] == '\r' && !crLf)) ++line;
+    }
+    const auto before = [&](std::size_t join) { return join < offset; };
+    return line + static_cast<std::size_t>(std::count_if(joins_.begin(), joins_.end(), before));
+  }
+
+  std::string takeText() && { return std::move(text_); }
+
+ private:
+  std::size_t lineEnd(std::size_t from) const {
+    while (from < text_.size() && text_[from] != '\n' && text_[from] != '\r') ++from;
+    return from;
+  }
+
+  std::size_t joinedLineEnd() {
+    std::size_t end = lineEnd(begin_);
+    if (end == begin_ || end == text_.size() || text_[end - 1] != '\\') return end;
+    // Names of other statements may end in a backslash, and so may comments.
+    const std::size_t first = text_.find_first_not_of(" \t", begin_);
+    if (text_[first] != 'v' && text_[first] != 'f') return end;
+    const auto hasComment = [&] {
+      return std::string_view(text_).substr(begin_, end - begin_).find('#') != std::string::npos;
+    };
+    while (end < text_.size() && text_[end - 1] == '\\' && !hasComment()) {
+      const bool crLf = text_[end] == '\r' && end + 1 < text_.size() && text_[end + 1] == '\n';
+      joins_.push_back(end);
+      text_[end - 1] = text_[end] = ' ';
+      if (crLf) text_[end + 1] = ' ';
+      end = lineEnd(end);
+    }
+    return end;
+  }
+
+  void split(std::size_t end) {
+    for (std::size_t i = begin_; i < end;) {
+      if (text_[i] == ' ' || text_[i] == '\t') {
+        ++i;
+        continue;
+      }
+      if (text_[i] == '#') {
+        std::fill_n(text_.begin() + static_cast<std::ptrdiff_t>(i), end - i, ' ');
+        return;
+      }
+      const std::size_t start = i;
+      while (i < end && text_[i] != ' ' && text_[i] != '\t' && text_[i] != '#') ++i;
+      words_.push_back(std::string_view(text_).substr(start, i - start));
+    }
+  }
+
+  std::string text_;
+  std::size_t begin_ = 0;
+  std::size_t nextBegin_ = 0;
+  std::vector<std::size_t> joins_;  // offsets of blanked line ends
+  std::vector<std::string_view> words_;
+};
 
 class Checker {
  public:
-  Checker(std::string& text, std::uint64_t maxIndices) : lines_(text), maxIndices_(maxIndices) {}
+  Checker(std::string text, std::uint64_t maxIndices)
+      : lines_(std::move(text)), maxIndices_(maxIndices) {}
 
-  CheckResult run() {
+  Checked run() && {
     while (!full() && lines_.next()) checkLine();
-    checkForward();
+    checkForwardIndices();
     checkLimits();
     if (unknown_ > 1) {
       result_.warnings.back().message +=
           fmt::format(", and so are {} more lines of unknown kinds", unknown_ - 1);
     }
-    std::stable_sort(faults_.begin(), faults_.end(),
-                     [](const Fault& a, const Fault& b) { return a.offset < b.offset; });
-    for (Fault& fault : faults_) {
-      result_.errors.push_back({lines_.lineOf(fault.offset), std::move(fault.message)});
+    std::stable_sort(errors_.begin(), errors_.end(),
+                     [](const Place& a, const Place& b) { return a.offset < b.offset; });
+    for (Place& error : errors_) {
+      result_.errors.push_back({lines_.lineOf(error.offset), std::move(error.message)});
     }
+    result_.text = std::move(lines_).takeText();
     return std::move(result_);
   }
 
  private:
-  struct Fault {
+  struct Place {
     std::size_t offset;
     std::string message;
   };
-  struct Forward {
+  // An index beyond what was read before it; later lines may reach it.
+  struct ForwardIndex {
     std::size_t offset;
     std::size_t kind;  // of kKinds
     std::int64_t index;
@@ -58,9 +148,9 @@ class Checker {
     return static_cast<std::int64_t>(std::array{c.positions, c.uvs, c.normals}[kind]);
   }
 
-  bool full() const { return faults_.size() >= kMostErrors; }
+  bool full() const { return errors_.size() >= kMaxErrors; }
   void error(std::size_t offset, std::string message) {
-    if (!full()) faults_.push_back({offset, std::move(message)});
+    if (!full()) errors_.push_back({offset, std::move(message)});
   }
 
   void checkLine() {
@@ -77,7 +167,7 @@ class Checker {
       ++counts.normals;
     } else if (statement == "f") {
       checkFace();
-    } else if (std::find(kHarmless.begin(), kHarmless.end(), statement) == kHarmless.end()) {
+    } else if (std::find(kIgnored.begin(), kIgnored.end(), statement) == kIgnored.end()) {
       if (unknown_++ > 0) return;
       result_.warnings.push_back(
           {lines_.lineOf(lines_.offset()),
@@ -85,12 +175,12 @@ class Checker {
     }
   }
 
-  void checkNumbers(std::size_t least, std::size_t most) {
+  void checkNumbers(std::size_t min, std::size_t max) {
     const auto& words = lines_.words();
     const std::size_t count = words.size() - 1;
-    if (count < least || count > most) {
+    if (count < min || count > max) {
       const std::string wanted =
-          least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most);
+          min == max ? fmt::format("{}", min) : fmt::format("{} to {}", min, max);
       error(lines_.offset(),
             fmt::format("\"{}\" takes {} numbers, found {}", words[0], wanted, count));
     }
@@ -106,7 +196,7 @@ class Checker {
   }
 
   // tinyobjloader makes NaN of 0e400, overflows in the exponent of 1e-9999999999, and loses what
-  // hundreds of digits add up to. The shortest form of any double has 24 characters or fewer.
+  // hundreds of digits add up to. The shortest form of a double has at most 24 characters.
   void simplify(std::string_view word, double value) {
     std::array<char, 24> shortest;
     if (value != 0.0 && word.size() <= shortest.size()) return;
@@ -147,6 +237,7 @@ class Checker {
                               xml::inQuotes(corner)));
   }
 
+  // Removes an index from the front of `rest`; false if there is none.
   bool takeIndex(std::size_t offset, std::string_view& rest, std::size_t kind) {
     std::int64_t index = 0;
     const auto [stop, fault] = std::from_chars(rest.data(), rest.data() + rest.size(), index);
@@ -172,21 +263,17 @@ class Checker {
     }
   }
 
-  // Indices that were too large where they stood may be met by later lines.
-  void checkForward() {
-    for (const Forward& f : forward_) {
+  void checkForwardIndices() {
+    for (const ForwardIndex& f : forward_) {
       if (f.index <= countOf(f.kind)) continue;
       error(f.offset, fmt::format("{} index {} is out of range, the file has {}", kKinds[f.kind],
                                   f.index, countOf(f.kind)));
     }
   }
 
-  // The parser's indices and ours are 32-bit integers.
   void checkLimits() {
     const Counts& counts = result_.counts;
-    if (std::max({counts.positions, counts.uvs, counts.normals, counts.indices}) <= maxIndices_) {
-      return;
-    }
+    if (counts.max() <= maxIndices_) return;
     error(0, fmt::format("too large: {} vertices, {} triangle corners, at most {} of each are "
                          "possible",
                          counts.positions, counts.indices, maxIndices_));
@@ -194,20 +281,20 @@ class Checker {
 
   Lines lines_;
   std::uint64_t maxIndices_;
-  CheckResult result_;
-  std::vector<Fault> faults_;
-  std::vector<Forward> forward_;
+  Checked result_;
+  std::vector<Place> errors_;
+  std::vector<ForwardIndex> forward_;
   std::uint64_t unknown_ = 0;
 };
 
 }  // namespace
 
-CheckResult check(std::string& text, std::uint64_t maxIndices) {
+Checked check(std::string text, std::uint64_t maxIndices) {
   if (const std::size_t nul = text.find('\0'); nul != std::string::npos) {
-    const std::size_t line = Lines(text).lineOf(nul);
-    return {{}, {{line, "a NUL byte, expected a text file"}}, {}};
+    const std::size_t line = Lines(std::move(text)).lineOf(nul);
+    return {{}, {}, {{line, "a NUL byte, expected a text file"}}, {}};
   }
-  return Checker(text, maxIndices).run();
+  return Checker(std::move(text), maxIndices).run();
 }
 
 }  // namespace laver::obj

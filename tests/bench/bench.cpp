@@ -1,4 +1,4 @@
-// laver beside Embree 3, in one run: bench [--quick] [passes|rays|builds|processes] [OUT.json]
+// laver beside Embree 3, in one run: bench [--quick] [passes|rays|builds|files|processes] [OUT.json]
 #include "bench/bench.h"
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ void run(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
     if (argument == "--quick")
-      rounds = {3, 1, 1, 1};
+      rounds = {3, 1, 1, 1, 1};
     else if (argument.ends_with(".json"))
       file = argument;
     else
@@ -40,6 +40,7 @@ void run(int argc, char** argv) {
   if (wanted("passes")) benchPasses(report, devices, rounds);
   if (wanted("rays")) benchRays(report, devices, rounds);
   if (wanted("builds")) benchBuilds(report, devices, rounds);
+  if (wanted("files")) benchFiles(report, rounds);
   if (wanted("processes")) benchProcesses(report, rounds);
   report.printFigures();
   if (!file.empty()) report.save(file);

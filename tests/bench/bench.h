@@ -19,7 +19,7 @@ struct EmbreeScenes {
 
 /// Rounds of each measurement; --quick takes few.
 struct Rounds {
-  std::size_t passes = 9, renders = 3, builds = 5, processes = 5;
+  std::size_t passes = 9, renders = 3, builds = 5, processes = 5, files = 5;
 };
 
 /// Whole passes: generate, trace, store.
@@ -28,6 +28,8 @@ void benchPasses(Report& report, const EmbreeDevices& devices, const Rounds& rou
 void benchRays(Report& report, const EmbreeDevices& devices, const Rounds& rounds);
 /// Trees: seconds and SAH cost.
 void benchBuilds(Report& report, const EmbreeDevices& devices, const Rounds& rounds);
+/// OBJ files: seconds to load, and the parts of it.
+void benchFiles(Report& report, const Rounds& rounds);
 /// Many samples with a gaussian filter, and whole processes of `laver`.
 void benchProcesses(Report& report, const Rounds& rounds);
 

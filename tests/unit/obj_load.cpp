@@ -1,20 +1,18 @@
 // OBJ text to triangles in the file's space.
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <cstdio>
+#include <filesystem>
 
-#include "scene/obj_data.h"
-#include "unit/scene_files.h"
+#include "scene/obj.h"
 
 namespace {
 using namespace laver;
 using Triangles = std::vector<glm::uvec3>;
 
-obj::ObjData parsed(std::string text) {
-  const auto checked = obj::check(text);
-  EXPECT_TRUE(checked.errors.empty()) << (checked.errors.empty() ? "" : checked.errors[0].message);
-  return obj::parse(text, checked.counts);
+obj::ObjData parsed(const std::string& text) {
+  auto result = obj::read(text);
+  EXPECT_TRUE(result.errors.empty()) << result.errors[0].message;
+  return std::move(result.data);
 }
 
 const std::string kPoints = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv -1 .5 0\n";
@@ -126,20 +124,68 @@ TEST(ObjLoad, NumbersThatTinyobjloaderWouldLose) {
   EXPECT_EQ(data.positions.at(2), glm::dvec3(1, .1, 3));
 }
 
-TEST(ObjLoad, BunnyInWellUnderAFifthOfASecond) {
-  const std::string file = LAVER_SOURCE_DIR "/scenes/meshes/bunny.obj";
-  double best = 1e9;
-  for (int i = 0; i < 3; ++i) {
-    const auto begin = std::chrono::steady_clock::now();
-    const auto loaded = obj::load(file);
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    best = std::min(best, took.count());
-    EXPECT_EQ(loaded.data.triangles.size(), 69666u);
-    EXPECT_TRUE(loaded.warnings.empty());
+struct Text {
+  const char* name;
+  std::string text;
+};
+void PrintTo(const Text& text, std::ostream* out) { *out << text.name; }
+const auto kName = [](const auto& info) { return std::string(info.param.name); };
+
+class ObjPlain : public testing::TestWithParam<Text> {};
+
+TEST_P(ObjPlain, IsParsedOnceAndNotChecked) {
+  const auto result = obj::read(GetParam().text);
+  EXPECT_FALSE(result.checked);
+  EXPECT_EQ(result.data.triangles.size(), 1u);
+}
+
+const std::vector<Text> kPlain = {
+    {"numbers",
+     "v -1 +2. .5\nv 1e5 1E-05 -1.5e+005\nv 0 -0.000000 0.1234567890123456789012\n"
+     "f 1 2 3\n"},
+    {"corners", kPoints + "vt 0\nvt 0 0 0\nvn 0 0 1\nf 1/1/1 -2//-1 3/2\n"},
+    {"lines", "# a \\\r\n\r\n \tv  0\t0 0 \r\nv 1 0 0\rv 0 1 0 .1 .2 .3\n  f\t1 2 3 "},
+    {"statements", "mtllib C:\\a.mtl # b\no a\ng\ns off\nusemtl c\n" + kPoints + "l 1 2\nf 1 2 3"},
+    {"face_first", "f 1 2 3\n" + kPoints},
+};
+INSTANTIATE_TEST_SUITE_P(Texts, ObjPlain, testing::ValuesIn(kPlain), kName);
+
+// Texts that are right, but that tinyobjloader would read wrong, or that ask for a warning.
+class ObjMisread : public testing::TestWithParam<Text> {};
+
+TEST_P(ObjMisread, IsCheckedFirst) {
+  const auto result = obj::read(GetParam().text);
+  EXPECT_TRUE(result.checked);
+  EXPECT_TRUE(result.errors.empty());
+  EXPECT_EQ(result.data.triangles.size(), 1u);
+}
+
+const std::vector<Text> kMisread = {
+    {"comment_behind_a_face", kPoints + "f 1 2 3 # 4\n"},
+    {"comment_behind_a_vertex", "v 0 0 0#0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+    {"byte_order_mark", "\xEF\xBB\xBF" + kPoints + "f 1 2 3\n"},
+    {"continued_face", kPoints + "f 1 2 \\\n3\n"},
+    {"continued_ignored_line", kPoints + "vp 1 \\\nv 1 2 3\nf 1 2 3\n"},
+    {"exponent_that_makes_nan", "v 0e999 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+    {"exponent_that_overflows", "v 1e-2147483648 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+    {"long_number", "v 1.00000000000000000000000 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\n"},
+    {"unknown_statement", "hello\n" + kPoints + "f 1 2 3\n"},
+};
+INSTANTIATE_TEST_SUITE_P(Texts, ObjMisread, testing::ValuesIn(kMisread), kName);
+
+TEST(ObjLoad, ReadyMeshesAreParsedOnceAndNotChecked) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(LAVER_SOURCE_DIR "/scenes/meshes")) {
+    if (entry.path().extension() != ".obj") continue;
+    const auto loaded = obj::load(entry.path().string());
+    EXPECT_FALSE(loaded.checked) << entry.path();
+    EXPECT_TRUE(loaded.problem.empty() && loaded.errors.empty() && loaded.warnings.empty());
+    if (entry.path().filename() == "bunny.obj") {
+      EXPECT_EQ(loaded.data.triangles.size(), 69666u);
+    }
+    ++count;
   }
-  RecordProperty("milliseconds", static_cast<int>(best * 1e3));
-  // Sanitizers and debug builds may take ten times as long.
-  EXPECT_LT(best, 2.0);
+  EXPECT_GE(count, 2) << "no meshes: build the target laver_meshes";
 }
 
 }  // namespace

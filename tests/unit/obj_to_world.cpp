@@ -5,7 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 
-#include "scene/obj_data.h"
+#include "scene/obj.h"
 
 namespace {
 using namespace laver;
@@ -19,9 +19,9 @@ obj::ObjData triangle() {
 }
 
 Mesh transformed(const obj::ObjData& data, const glm::dmat4& matrix) {
-  Mesh mesh;
-  EXPECT_TRUE(obj::toWorld(data, matrix, mesh));
-  return mesh;
+  const std::optional<Mesh> mesh = obj::toWorld(data, matrix);
+  EXPECT_TRUE(mesh);
+  return mesh.value_or(Mesh());
 }
 
 TEST(ObjToWorld, NormalsUseTheInverseTransposeAndHaveUnitLength) {
@@ -65,8 +65,7 @@ TEST(ObjToWorld, PerspectiveDividesPoints) {
   const Mesh mesh = transformed(triangle(), matrix);
   EXPECT_EQ(mesh.positions[1], glm::dvec3(0.5, 0, 0));
   matrix[3][3] = -1;  // w = x - 1
-  Mesh broken;
-  EXPECT_FALSE(obj::toWorld(triangle(), matrix, broken));
+  EXPECT_FALSE(obj::toWorld(triangle(), matrix));
 }
 
 TEST(ObjToWorld, TrianglesWithoutAreaAreDroppedAndCounted) {

@@ -1,0 +1,111 @@
+#include "scene/obj.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <stdexcept>
+
+#include "scene/text_source.h"
+#include "scene/transform.h"
+
+namespace laver::obj {
+namespace {
+
+LoadResult loadOrThrow(const std::string& file) {
+  LoadResult result;
+  xml::FileText content = xml::readFile(file);
+  if (!content.problem.empty()) {
+    result.problem = std::move(content.problem);
+    return result;
+  }
+  ReadResult found = read(std::move(content.text));
+  for (const Issue& issue : found.errors) {
+    result.errors.push_back(fmt::format("{}:{}: error: {}", file, issue.line, issue.message));
+  }
+  for (const Issue& issue : found.warnings) {
+    result.warnings.push_back(fmt::format("{}:{}: warning: {}", file, issue.line, issue.message));
+  }
+  result.data = std::move(found.data);
+  result.checked = found.checked;
+  return result;
+}
+
+bool isFinite(const glm::dvec3& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+// Exactly zero, and not by underflow: the edges are scaled by a power of two first.
+bool hasNoArea(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  const auto scaled = [](glm::dvec3 e) {
+    int exponent = 0;
+    std::frexp(std::max({std::abs(e.x), std::abs(e.y), std::abs(e.z)}), &exponent);
+    return glm::dvec3(std::ldexp(e.x, -exponent), std::ldexp(e.y, -exponent),
+                      std::ldexp(e.z, -exponent));
+  };
+  glm::dvec3 cross = glm::cross(b - a, c - a);
+  // Only a zero result can be underflow.
+  if (cross == glm::dvec3(0.0)) cross = glm::cross(scaled(b - a), scaled(c - a));
+  return cross == glm::dvec3(0.0);
+}
+
+}  // namespace
+
+ReadResult read(std::string text, std::uint64_t maxIndices) {
+  ReadResult result;
+  if (const auto counts = scanPlain(text); counts && counts->max() <= maxIndices) {
+    if (auto data = parse(text, *counts)) {
+      result.data = std::move(*data);
+      return result;
+    }
+  }
+  Checked checked = check(std::move(text), maxIndices);
+  result.checked = true;
+  result.errors = std::move(checked.errors);
+  result.warnings = std::move(checked.warnings);
+  if (!result.errors.empty()) return result;
+  auto data = parse(checked.text, checked.counts);
+  if (!data) throw std::logic_error("the OBJ parser and the checker disagree");
+  result.data = std::move(*data);
+  return result;
+}
+
+LoadResult load(const std::string& file) {
+  LoadResult result;
+  try {
+    return loadOrThrow(file);
+  } catch (const std::bad_alloc&) {
+    result.problem = "is too large for the memory";
+  } catch (const std::exception& fault) {
+    result.problem = fault.what();
+  }
+  return result;
+}
+
+std::optional<Mesh> toWorld(const ObjData& data, const glm::dmat4& toWorld) {
+  Mesh mesh;
+  const bool affine = isAffine(toWorld);
+  mesh.positions.reserve(data.positions.size());
+  for (const glm::dvec3& p : data.positions) {
+    const glm::dvec4 q = toWorld * glm::dvec4(p, 1.0);
+    const glm::dvec3 world = affine ? glm::dvec3(q) : glm::dvec3(q) / q.w;
+    if (!isFinite(world)) return std::nullopt;
+    mesh.positions.push_back(world);
+  }
+  const glm::dmat3 normalToWorld = normalMatrix(toWorld);
+  mesh.normals.reserve(data.normals.size());
+  for (const glm::dvec3& n : data.normals) {
+    mesh.normals.push_back(normalizedOrZero(normalToWorld * normalizedOrZero(n)));
+  }
+  mesh.uvs = data.uvs;
+  mesh.triangles.reserve(data.triangles.size());
+  for (const glm::uvec3& t : data.triangles) {
+    if (hasNoArea(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z])) continue;
+    mesh.triangles.push_back(t);
+  }
+  mesh.droppedTriangles = data.triangles.size() - mesh.triangles.size();
+  return mesh;
+}
+
+}  // namespace laver::obj

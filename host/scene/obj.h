@@ -1,0 +1,98 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace laver::obj {
+
+/// Geometry of an OBJ file in the file's own space: one entry per distinct corner (v, vt, vn), in
+/// the order of first use. An attribute that no corner has is empty; where only some corners have
+/// it, the others get 0.
+struct ObjData {
+  std::vector<glm::dvec3> positions;
+  std::vector<glm::dvec3> normals;  ///< as the file gives them, of any length
+  std::vector<glm::dvec2> uvs;
+  std::vector<glm::uvec3> triangles;
+};
+
+/// Number of statements of each kind in an OBJ text.
+struct Counts {
+  std::uint64_t positions = 0, uvs = 0, normals = 0, faces = 0;
+  std::uint64_t indices = 0;  ///< three per triangle after triangulation
+  bool operator==(const Counts&) const = default;
+  std::uint64_t max() const { return std::max({positions, uvs, normals, indices}); }
+};
+
+/// An error or a warning about an OBJ text.
+struct Issue {
+  std::size_t line;  ///< from 1
+  std::string message;
+};
+
+/// Result of check().
+struct Checked {
+  std::string text;  ///< what parse() reads right, if there are no errors
+  Counts counts;
+  std::vector<Issue> errors;  ///< in file order, the first ten
+  std::vector<Issue> warnings;
+};
+
+/// Result of read().
+struct ReadResult {
+  ObjData data;
+  std::vector<Issue> errors, warnings;
+  bool checked = false;  ///< the text was not plain, check() went through it
+};
+
+/// Result of load().
+struct LoadResult {
+  ObjData data;
+  std::string problem;              ///< of the whole file: "no such file", ...; empty: none
+  std::vector<std::string> errors;  ///< complete lines `file:line: error: ...`
+  std::vector<std::string> warnings;
+  bool checked = false;  ///< as in ReadResult
+};
+
+/// Vertices and triangle corners are numbered by 32-bit integers, the parser's and ours.
+inline constexpr std::uint64_t kMaxIndices = 0x7fffffff;
+
+/// Statements other than v, vt, vn and f that hold no surface, or none that triangles need.
+inline constexpr std::array<std::string_view, 20> kIgnored = {
+    "o", "g",  "s",  "mg",  "usemtl", "mtllib", "usemap",   "maplib",   "l",          "p",
+    "t", "vp", "vw", "lod", "bevel",  "end",    "c_interp", "d_interp", "shadow_obj", "trace_obj"};
+
+/// Counts the statements of a plain text, one that parse() reads right as it stands; nothing if the
+/// text has an error, may have one, or has a construct that tinyobjloader reads wrong. Reads no
+/// values, so indices may still be out of range.
+std::optional<Counts> scanPlain(const std::string& text);
+
+/// Examines every word and finds all errors with their lines: tinyobjloader reads faulty numbers as
+/// 0 without a word. In the returned text, a byte order mark, comments behind data and the ends of
+/// continued lines are blank, and numbers that tinyobjloader would read wrong have another form.
+/// More than `maxIndices` vertices or triangle corners are an error.
+Checked check(std::string text, std::uint64_t maxIndices = kMaxIndices);
+
+/// Parses a text by tinyobjloader. Polygons become triangles: a quad (a b c d) gives (a,b,c) and
+/// (d,a,c), larger ones a fan about the first corner. Nothing if the parser finds other counts than
+/// `expected` or an index out of range.
+std::optional<ObjData> parse(const std::string& text, const Counts& expected);
+
+/// Parses a plain text in one pass; any other is checked first. Throws std::logic_error if parser
+/// and check() disagree.
+ReadResult read(std::string text, std::uint64_t maxIndices = kMaxIndices);
+
+/// Reads an OBJ file. Throws nothing: running out of memory is a problem.
+LoadResult load(const std::string& file);
+
+/// Transforms points and normals, and leaves out triangles without area. Name, material and sphere
+/// of the mesh are not set. Nothing if a point goes to infinity.
+std::optional<Mesh> toWorld(const ObjData& data, const glm::dmat4& toWorld);
+
+}  // namespace laver::obj
