@@ -45,7 +45,7 @@ Metadata metadataOf(const Scene& scene, const Stats& stats, double renderSeconds
                        {"driver", stats.driver},
                        {"sceneHash", fileHash(scene.file)},
                        {"seed", std::to_string(scene.sampler.seed)},
-                       {"sampler", std::string(samplerName(scene.sampler.kind))},
+                       {"sampler", std::string(scene.sampler.row->name)},
                        {"renderTimeSeconds", renderSeconds},
                        {"samplesPerPixel", static_cast<int>(stats.reached.samples)},
                        {"worldToCamera", worldToCamera},

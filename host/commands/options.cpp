@@ -49,6 +49,12 @@ std::vector<T> named(const std::string& option, const std::string& text,
   return all;
 }
 
+/// An integrator by its name, as `named` takes it.
+std::optional<IntegratorUse> integratorCalled(const std::string& name) {
+  const IntegratorRow* row = rowCalled(integratorRows(), name);
+  return row == nullptr ? std::nullopt : std::optional(IntegratorUse{row});
+}
+
 std::string layerList() {
   std::string list;
   for (const char* name : layerNames()) list += std::string(list.empty() ? "" : ", ") + name;
@@ -79,23 +85,22 @@ void addSceneOptions(CLI::App& app, SceneCommand& command) {
   app.add_option_function<std::string>(
          "--integrator",
          [&](const std::string& text) {
-           const auto all = named("--integrator", text, integratorFromName,
-                                  "normals, direct_whitted, depth, av or ao");
+           const auto all =
+               named("--integrator", text, integratorCalled, namesOf(integratorRows()));
            command.overrides.integrator = all.front();
            command.options.more.assign(all.begin() + 1, all.end());
          },
-         "normals, direct_whitted, depth, av or ao; further ones, after commas, go beside it as "
-         "layers")
+         namesOf(integratorRows()) + "; further ones, after commas, go beside it as layers")
       ->type_name("NAME,...");
   app.add_option_function<std::string>(
          "--sampler",
          [&](const std::string& name) {
-           command.overrides.sampler = samplerFromName(name);
-           if (!command.overrides.sampler)
+           command.overrides.sampler = rowCalled(samplerRows(), name);
+           if (command.overrides.sampler == nullptr)
              throw CLI::ValidationError("--sampler",
-                                        "expected independent, stratified or sobol, not " + name);
+                                        "expected " + namesOf(samplerRows()) + ", not " + name);
          },
-         "independent, stratified or sobol")
+         namesOf(samplerRows()))
       ->type_name("NAME");
   app.add_option_function<std::string>(
          "--layers",
@@ -107,13 +112,12 @@ void addSceneOptions(CLI::App& app, SceneCommand& command) {
   app.add_option_function<std::string>(
          "--filter",
          [&](const std::string& name) {
-           const auto filter = filterFromName(name);
-           if (!filter)
+           command.overrides.filter = rowCalled(filterRows(), name);
+           if (command.overrides.filter == nullptr)
              throw CLI::ValidationError("--filter",
-                                        "expected gaussian, mitchell, tent or box, not " + name);
-           command.overrides.filter = filter->kind;
+                                        "expected " + namesOf(filterRows()) + ", not " + name);
          },
-         "reconstruction filter: gaussian, mitchell, tent or box")
+         "reconstruction filter: " + namesOf(filterRows()))
       ->type_name("NAME");
   addSize(app, command.overrides.size, "size of the film in pixels");
   app.add_option_function<std::string>(

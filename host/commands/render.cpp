@@ -172,9 +172,9 @@ ExitCode run(const RenderCommand& command, ViewedPictures* viewed) {
                              exr.string());
   writePictures(exr, image, metadataOf(scene, stats, renderSeconds, whole),
                 command.options.threads);
-  const bool sobol = scene.sampler.kind == Sampler::Kind::Sobol;
+  const bool countFree = scene.sampler.row->countFree;
   const std::string goOn =
-      leaveState(command, stateFile, state, !whole || (command.resume && sobol));
+      leaveState(command, stateFile, state, !whole || (command.resume && countFree));
   stats.seconds.write = since(writeStart);
   stats.seconds.total = since(start);
   stats.peakBytes = peakBytes();

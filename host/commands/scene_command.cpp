@@ -2,7 +2,6 @@
 
 #include "commands/commands.h"
 #include "render/sample_map.h"
-#include "scene/schema.h"
 
 namespace laver {
 
@@ -10,7 +9,7 @@ SceneOverrides overridesOf(const SceneCommand& command) {
   SceneOverrides overrides = command.overrides;
   overrides.noriCompat = command.options.noriCompat;
   for (const Shown& shown : shownBeside(command.options.more, command.options.layers))
-    overrides.shading = overrides.shading || xml::shades(shown.integrator);
+    overrides.shading = overrides.shading || shades(*shown.integrator.row);
   return overrides;
 }
 

@@ -35,17 +35,11 @@ T mitchell(T distance, T radius, T B, T C) {
 template <typename T>
 T evaluate(const Filter& filter, T x) {
   const T radius = static_cast<T>(filter.radius);
-  switch (filter.kind) {
-    case Filter::Kind::Gaussian:
-      return gaussian(x, radius, static_cast<T>(filter.stddev));
-    case Filter::Kind::Mitchell:
-      return mitchell(x, radius, static_cast<T>(filter.B), static_cast<T>(filter.C));
-    case Filter::Kind::Tent:
-      return std::max(T(0), T(1) - std::abs(x) / radius);
-    case Filter::Kind::Box:
-      return T(1);
-  }
-  return T(0);
+  if (filter.row == &filters::gaussian) return gaussian(x, radius, static_cast<T>(filter.stddev));
+  if (filter.row == &filters::mitchell)
+    return mitchell(x, radius, static_cast<T>(filter.B), static_cast<T>(filter.C));
+  if (filter.row == &filters::tent) return std::max(T(0), T(1) - std::abs(x) / radius);
+  return T(1);
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ Word foldedSeed(const Sampler& sampler) {
 glm::vec2 hashedAperture(const Sampler& sampler, int x, int y, std::uint32_t sample) {
   const Hash pixel = hashOf(static_cast<Word>(x), static_cast<Word>(y), ~foldedSeed(sampler));
   Place place{};
-  if (sampler.kind == Sampler::Kind::Sobol) {
+  if (sampler.row == &samplers::sobol) {
     place = sobolPlace(pixel, scrambled(sample, pixel[2]));
   } else {
     const Hash random = hashOf(pixel[0], pixel[1], sample);
@@ -98,7 +98,7 @@ glm::vec2 hashedAperture(const Sampler& sampler, int x, int y, std::uint32_t sam
 glm::vec2 hashedPosition(const Camera& camera, const Sampler& sampler, int x, int y,
                          std::uint32_t sample) {
   const Hash pixel = hashOf(static_cast<Word>(x), static_cast<Word>(y), foldedSeed(sampler));
-  const Place place = sampler.kind == Sampler::Kind::Sobol
+  const Place place = sampler.row == &samplers::sobol
                           ? sobolPlace(pixel, sample)
                           : stratifiedPlace(pixel, sampler.sampleCount, sample);
   // A float has 24 bits; those that the largest pixel number leaves, 23 at most, hold the middle of

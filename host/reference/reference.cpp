@@ -3,6 +3,7 @@
 #include "core/parallel.h"
 #include "reference/camera.h"
 #include "reference/film.h"
+#include "reference/integrators.h"
 #include "reference/sampler.h"
 #include "reference/world.h"
 
@@ -73,7 +74,7 @@ Image Reference::render(const RenderOptions& options, std::uint64_t& dropped,
   unwatched.watcher = {};
   for (const Shown& shown : shownBeside(options.more, options.layers)) {
     Reached own;
-    parts.push_back(picture(shown.integrator, unwatched, dropped, own));
+    parts.push_back(picture(useOf(impl_->scene, shown.integrator), unwatched, dropped, own));
     parts.back().channels = shown.channels;
     if (own.wholeRows != height) ++reached.unfinished;
   }
@@ -88,14 +89,14 @@ Image Reference::render(const RenderOptions& options, std::uint64_t& dropped,
   return joined(std::move(parts));
 }
 
-Image Reference::picture(Integrator shown, const RenderOptions& options, std::uint64_t& dropped,
-                         Reached& reached) const {
+Image Reference::picture(const IntegratorUse& shown, const RenderOptions& options,
+                         std::uint64_t& dropped, Reached& reached) const {
   const auto radianceAt = [&](glm::dvec2 film, glm::dvec2 numbers) {
     return reference::radiance(impl_->world, impl_->scene, shown, impl_->view.through(film),
                                numbers);
   };
-  return reference::renderFilm(impl_->scene, options, radianceAt,
-                               shown == Integrator::ShadingNormal, dropped, reached);
+  return reference::renderFilm(impl_->scene, options, radianceAt, shown.row->needs.negative,
+                               dropped, reached);
 }
 
 std::optional<CentreHit> Reference::centre(glm::dvec2 film) const {

@@ -61,7 +61,7 @@ class Reference {
   Image render(const RenderOptions& options, std::uint64_t& dropped, Reached& reached) const;
 
  private:
-  Image picture(Integrator shown, const RenderOptions& options, std::uint64_t& dropped,
+  Image picture(const IntegratorUse& shown, const RenderOptions& options, std::uint64_t& dropped,
                 Reached& reached) const;
   Image centres(const RenderOptions& options) const;
 

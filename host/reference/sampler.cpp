@@ -37,13 +37,13 @@ glm::vec2 independent(const Camera& camera, const Sampler& sampler, int x, int y
 
 glm::vec2 samplePosition(const Camera& camera, const Sampler& sampler, int x, int y,
                          std::uint32_t sample) {
-  if (sampler.kind == Sampler::Kind::Independent) return independent(camera, sampler, x, y, sample);
+  if (sampler.row->stream) return independent(camera, sampler, x, y, sample);
   return hashedPosition(camera, sampler, x, y, sample);
 }
 
 glm::vec2 sampleAperture(const Camera& camera, const Sampler& sampler, int x, int y,
                          std::uint32_t sample) {
-  if (sampler.kind != Sampler::Kind::Independent) return hashedAperture(sampler, x, y, sample);
+  if (!sampler.row->stream) return hashedAperture(sampler, x, y, sample);
   Pcg32 random = generatorAt(camera, sampler, x, y, sample);
   random.advance(2);
   const float v = random.nextFloat();

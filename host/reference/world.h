@@ -62,18 +62,4 @@ class World {
   Tree tree_;
 };
 
-/// Radiance that arrives along a camera ray, by an integrator; 0 for a miss unless said, but for
-/// direct_whitted the background. `numbers` in [0, 1) choose a direction.
-///   normals         |n|, n the shading normal
-///   direct_whitted  sum over point lights of radiance / r^2 * n.wi * albedo / pi, where
-///                   n.wi > 0, n.wo > 0, r^2 > 0 and nothing lies between
-///   depth           1 / distance from the camera, in world units
-///   av              1 if nothing lies within the scene's avLength in a direction uniform on the
-///                   hemisphere of n, else 0; 1 for a miss
-///   ao              1 if nothing lies in a direction with density cosine / pi around n, else 0
-///   shading_normal  n
-///   albedo          the surface's
-glm::dvec3 radiance(const World& world, const Scene& scene, Integrator shown,
-                    const CameraRay& camera, glm::dvec2 numbers);
-
 }  // namespace laver::reference

@@ -11,30 +11,6 @@ using glm::dvec3;
 using glm::vec3;
 using glm::vec4;
 
-/// One axis of a filter at distance x from the centre, as host/scene's Filter defines it.
-double evaluate(const Filter& f, double x) {
-  x = std::abs(x);
-  switch (f.kind) {
-    case Filter::Kind::Gaussian: {
-      const double alpha = -1.0 / (2.0 * f.stddev * f.stddev);
-      return std::max(0.0, std::exp(alpha * x * x) - std::exp(alpha * f.radius * f.radius));
-    }
-    case Filter::Kind::Mitchell: {
-      const double s = 2.0 * x / f.radius, y = 2.0 - s;
-      if (s < 1.0)
-        return (((12.0 - 9.0 * f.B - 6.0 * f.C) * s + (-18.0 + 12.0 * f.B + 6.0 * f.C)) * s * s +
-                (6.0 - 2.0 * f.B)) /
-               6.0;
-      return s < 2.0 ? y * y * ((f.B + 6.0 * f.C) * y - 6.0 * f.C) / 6.0 : 0.0;
-    }
-    case Filter::Kind::Tent:
-      return std::max(0.0, 1.0 - x / f.radius);
-    case Filter::Kind::Box:
-      break;
-  }
-  return 1.0;
-}
-
 }  // namespace
 
 void packCamera(const Scene& scene, SceneData& data) {
@@ -69,18 +45,18 @@ void packFilter(const Filter& f, SceneData& data) {
   const double alpha = -1.0 / (2.0 * f.stddev * f.stddev);
   vec4& args = data.params.filterArgs;
   args = vec4(static_cast<float>(f.radius), 0.0F, 0.0F, static_cast<float>(filterConstant(f)));
-  if (f.kind == Filter::Kind::Gaussian) {
+  if (f.row == &filters::gaussian) {
     args.y = static_cast<float>(alpha);
     args.z = static_cast<float>(std::exp(alpha * f.radius * f.radius));
-  } else if (f.kind == Filter::Kind::Mitchell) {
+  } else if (f.row == &filters::mitchell) {
     args.y = static_cast<float>(f.B);
     args.z = static_cast<float>(f.C);
   }
   // Nori's table: 32 entries over the radius, and a last one of 0.
   const bool nori = data.constants[shared::SPEC_NORI_TABLE] != 0;
   for (int i = 0; i < 32; ++i)
-    data.params.table[i / 4][i % 4] =
-        static_cast<float>(nori ? evaluate(f, f.radius * i / 32.0) : std::exp(alpha * i * i));
+    data.params.table[i / 4][i % 4] = static_cast<float>(
+        nori ? f.row->evaluate(f, f.radius * i / 32.0) : std::exp(alpha * i * i));
   data.params.table[8] = vec4(0.0F);
 }
 

@@ -47,14 +47,14 @@ Settings settingsOf(const Scene& scene, const SceneData& data, const Crop& core,
       {"laverVersion", LAVER_VERSION},
       {"device", device.name},
       {"driver", device.driver},
-      {"integrator", integratorName(scene.integrator)},
+      {"integrator", scene.integrator.row->name},
       {"film", fmt::format("{}x{}", scene.camera.width, scene.camera.height)},
       {"crop", fmt::format("{},{},{},{}", core.x0, core.y0, core.x1, core.y1)},
-      {"sampler", samplerName(scene.sampler.kind)},
+      {"sampler", scene.sampler.row->name},
       {"seed", std::to_string(scene.sampler.seed)},
       {"filterWeights", data.constants[shared::SPEC_NORI_TABLE] != 0 ? "Nori's table" : "exact"},
       {"samplesSummedPlainly", std::to_string(shared::GATHER_SAMPLES)}};
-  if (scene.sampler.kind != Sampler::Kind::Sobol)
+  if (!scene.sampler.row->countFree)
     settings.emplace_back("sampleCount", std::to_string(scene.sampler.sampleCount));
   settings.emplace_back("scene", contentOf(data));
   return settings;

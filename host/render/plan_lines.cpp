@@ -14,8 +14,7 @@ using Line = ScenePlan::Line;
 
 /// "direct_whitted", or that and what is rendered beside it.
 std::string shownBy(const Facts& f) {
-  return std::string(integratorName(f.scene.integrator)) +
-         (f.pictures > 1 ? " and its layers" : "");
+  return std::string(f.scene.integrator.row->name) + (f.pictures > 1 ? " and its layers" : "");
 }
 
 /// Bytes of the attributes of all triangles in a form, without the tables they point into.
@@ -165,7 +164,7 @@ Line lights(const Facts& f) {
     case shared::LIGHTS_NONE:
       return {"lights", "left out",
               lights == 0 ? "the scene has none"
-                          : fmt::format("{} shows none", integratorName(f.scene.integrator)),
+                          : fmt::format("{} shows none", f.scene.integrator.row->name),
               "no shadow ray is traced", lights * sizeof(shared::Light)};
     case shared::LIGHTS_FEW:
       return {"lights", countOf(lights, "light") + " in one dispatch",
@@ -187,12 +186,12 @@ Line shadowRays(const Facts& f) {
 }
 
 Line sampler(const Facts& f) {
-  return {"sampler", samplerName(f.scene.sampler.kind),
+  return {"sampler", f.scene.sampler.row->name,
           countOf(f.scene.sampler.sampleCount, "sample") + " a pixel", "the other samplers", 0};
 }
 
 Line samplerTables(const Facts& f) {
-  if (f.scene.sampler.kind != Sampler::Kind::Independent)
+  if (!f.scene.sampler.row->stream)
     return {"sampler tables", "none", "positions are hashed, not drawn from a stream", "", 0};
   const std::uint32_t levels = f.constant(shared::SPEC_JUMP_LEVELS);
   return {"sampler tables", fmt::format("{} of 3", levels),

@@ -51,11 +51,10 @@ const char* spheresOf(const SpecConstants& constants) {
   return constants[shared::SPEC_SPHERES] != 0 ? "_spheres" : "";
 }
 
-std::string kernelOf(Integrator shown, const SpecConstants& constants) {
-  const bool coloured = shown == Integrator::DirectWhitted || shown == Integrator::Albedo;
+std::string kernelOf(const IntegratorRow& shown, const SpecConstants& constants) {
   const bool textured = constants[shared::SPEC_TEXTURES] != 0 ||
                         constants[shared::SPEC_BACKGROUND] != shared::BACKGROUND_BLACK;
-  return integratorName(shown) + std::string(coloured && textured ? "_textured" : "") +
+  return shown.name + std::string(shown.needs.materials && textured ? "_textured" : "") +
          spheresOf(constants);
 }
 
@@ -64,18 +63,19 @@ std::string kernelOf(Integrator shown, const SpecConstants& constants) {
 std::vector<Rendering> renderingsOf(const Scene& scene, const RenderOptions& options,
                                     std::uint32_t generic) {
   std::vector<Rendering> pictures;
-  const auto add = [&](Integrator shown, std::vector<std::string> channels) {
+  const auto add = [&](const IntegratorRow& shown, std::vector<std::string> channels) {
     const SpecConstants constants = generalise(specialise(scene, shown, options), generic);
     pictures.push_back({kernelOf(shown, constants), std::move(channels), constants});
-    pictures.back().blackMisses = shown != Integrator::AverageVisibility &&
-                                  constants[shared::SPEC_BACKGROUND] == shared::BACKGROUND_BLACK;
+    pictures.back().blackMisses = shown.miss == Miss::Black ||
+                                  (shown.miss == Miss::Background &&
+                                   constants[shared::SPEC_BACKGROUND] == shared::BACKGROUND_BLACK);
   };
-  add(scene.integrator, {"R", "G", "B"});
+  add(*scene.integrator.row, {"R", "G", "B"});
   for (Shown& shown : shownBeside(options.more, options.layers))
-    add(shown.integrator, std::move(shown.channels));
+    add(*shown.integrator.row, std::move(shown.channels));
   std::vector<std::string> centres = centreChannels(options.layers);
   if (!centres.empty()) {
-    add(Integrator::Depth, std::move(centres));
+    add(integrators::depth, std::move(centres));
     pictures.back().kernel = std::string("centres") + spheresOf(pictures.back().constants);
     pictures.back().centres = true;
     pictures.back().constants[shared::SPEC_ADAPTIVE] = 0;

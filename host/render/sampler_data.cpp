@@ -74,8 +74,8 @@ void packSampler(const Scene& scene, SceneData& data) {
   data.params.film.z = sampler.sampleCount;
   packSeed(sampler.seed, data.params);
   data.params.seed.w = halfStep(scene.camera);
-  if (sampler.kind == Sampler::Kind::Independent) packTables(sampler.sampleCount, data);
-  if (sampler.kind == Sampler::Kind::Stratified) {
+  if (sampler.row->stream) packTables(sampler.sampleCount, data);
+  if (sampler.row->strata) {
     const glm::uvec2 strata = strataOf(sampler.sampleCount);
     const auto size = [](std::uint32_t count) {
       return static_cast<std::uint32_t>((std::uint64_t{1} << 32) / count);

@@ -131,7 +131,8 @@ void sortAttributes(SceneData& data, const std::vector<shared::Triangle>& inFile
 /// How far av looks. Points of the scene lie in [-1, 1]^3, less than 4 apart; below 2^-100 nothing
 /// is seen apart.
 float reachOf(const Scene& scene, const Normalisation& space) {
-  return static_cast<float>(std::clamp(scene.avLength * space.scale, 0x1p-100, 4.0));
+  const double length = useOf(scene, {&integrators::averageVisibility}).real("length");
+  return static_cast<float>(std::clamp(length * space.scale, 0x1p-100, 4.0));
 }
 
 /// radiance / distance^2 keeps its value when distances are scaled, if radiance is by the square.

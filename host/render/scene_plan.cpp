@@ -86,18 +86,16 @@ void addCut(const Scene& scene, const RenderOptions& options, const Facts& f,
                   {"samplesSideBySide", beside}};
 }
 
-void noteShown(Integrator shown, const Scene& scene, Facts& facts) {
-  const bool shaded = shown == Integrator::DirectWhitted;
+void noteShown(const IntegratorRow& shown, const Scene& scene, Facts& facts) {
+  const bool shaded = shown.needs.lights;
   facts.shaded = facts.shaded || shaded;
-  facts.coloured =
-      facts.coloured || shown == Integrator::Albedo || (shaded && !scene.lights.empty());
+  facts.coloured = facts.coloured || (shown.needs.materials && (!shaded || !scene.lights.empty()));
 }
 
 Line integrator(const Scene& scene, std::size_t pictures, const std::string& kernel) {
   if (pictures == 1)
-    return {"integrator", integratorName(scene.integrator), "the kernel " + kernel, "all others",
-            0};
-  return {"integrator", integratorName(scene.integrator),
+    return {"integrator", scene.integrator.row->name, "the kernel " + kernel, "all others", 0};
+  return {"integrator", scene.integrator.row->name,
           fmt::format("{} from one upload, a kernel each", countOf(pictures, "picture")),
           "all others", 0};
 }
@@ -129,9 +127,9 @@ ScenePlan planScene(const Scene& scene, const RenderOptions& options,
   Facts facts{scene, data, constants[shared::SPEC_STACK]};
   facts.pictures = pictures.size();
   facts.triangles = primitivesOf(scene);
-  noteShown(scene.integrator, scene, facts);
+  noteShown(*scene.integrator.row, scene, facts);
   for (const Shown& shown : shownBeside(options.more, options.layers))
-    noteShown(shown.integrator, scene, facts);
+    noteShown(*shown.integrator.row, scene, facts);
   for (const Mesh& mesh : scene.meshes) {
     facts.spheres += mesh.sphere ? 1 : 0;
     facts.normals += mesh.normals.size();

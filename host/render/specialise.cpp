@@ -18,55 +18,42 @@ std::uint32_t likelyStack(const Scene& scene) {
       std::clamp<std::uint64_t>((primitivesOf(scene) + 7) / 8 * 8, 8, kLikelyStack));
 }
 
-std::uint32_t samplerConstant(Sampler::Kind kind) {
-  switch (kind) {
-    case Sampler::Kind::Stratified:
-      return shared::SAMPLER_STRATIFIED;
-    case Sampler::Kind::Sobol:
-      return shared::SAMPLER_SOBOL;
-    case Sampler::Kind::Independent:
-      break;
-  }
-  return shared::SAMPLER_INDEPENDENT;
+std::uint32_t samplerConstant(const SamplerRow* row) {
+  if (row == &samplers::stratified) return shared::SAMPLER_STRATIFIED;
+  return row == &samplers::sobol ? shared::SAMPLER_SOBOL : shared::SAMPLER_INDEPENDENT;
 }
 
 }  // namespace
 
 std::uint32_t filterConstant(const Filter& filter) {
-  switch (filter.kind) {
-    case Filter::Kind::Gaussian: {
-      // exp(alpha * apron) and its inverse stay far from the range of floats.
-      const double alpha = 0.5 / (filter.stddev * filter.stddev);
-      const std::uint32_t apron = apronOf(filter.radius);
-      return apron <= 8 && alpha * apron <= 60.0 ? shared::FILTER_GAUSSIAN_NARROW
-                                                 : shared::FILTER_GAUSSIAN;
-    }
-    case Filter::Kind::Mitchell:
-      return shared::FILTER_MITCHELL;
-    case Filter::Kind::Tent:
-      return shared::FILTER_TENT;
-    case Filter::Kind::Box:
-      break;
+  if (filter.row == &filters::gaussian) {
+    // exp(alpha * apron) and its inverse stay far from the range of floats.
+    const double alpha = 0.5 / (filter.stddev * filter.stddev);
+    const std::uint32_t apron = apronOf(filter.radius);
+    return apron <= 8 && alpha * apron <= 60.0 ? shared::FILTER_GAUSSIAN_NARROW
+                                               : shared::FILTER_GAUSSIAN;
   }
-  return shared::FILTER_BOX;
+  if (filter.row == &filters::mitchell) return shared::FILTER_MITCHELL;
+  return filter.row == &filters::tent ? shared::FILTER_TENT : shared::FILTER_BOX;
 }
 
 SpecConstants specialise(const Scene& scene, const RenderOptions& options) {
-  return specialise(scene, scene.integrator, options);
+  return specialise(scene, *scene.integrator.row, options);
 }
 
-SpecConstants specialise(const Scene& scene, Integrator shown, const RenderOptions& options) {
+SpecConstants specialise(const Scene& scene, const IntegratorRow& shown,
+                         const RenderOptions& options) {
   const auto& meshes = scene.meshes;
-  const bool shaded = shown == Integrator::DirectWhitted;
+  const bool shaded = shown.needs.lights;
   // Without a light nothing that is hit shows; a background shows where nothing is.
   const bool surfaces = !shaded || !scene.lights.empty();
   const bool hits = surfaces || scene.environment;
   const bool normals =
-      surfaces && shown != Integrator::Depth && shown != Integrator::Albedo &&
+      surfaces && shown.needs.normals &&
       std::any_of(meshes.begin(), meshes.end(), [](const Mesh& m) { return !m.normals.empty(); });
-  const bool coloured = shaded || shown == Integrator::Albedo;
   const bool albedos =
-      coloured && surfaces && std::any_of(meshes.begin(), meshes.end(), [&](const Mesh& m) {
+      shown.needs.materials && surfaces &&
+      std::any_of(meshes.begin(), meshes.end(), [&](const Mesh& m) {
         return m.bsdf.albedo != meshes.front().bsdf.albedo || (m.bsdf.texture && meshes.size() > 1);
       });
   SpecConstants constants{};
@@ -77,8 +64,8 @@ SpecConstants specialise(const Scene& scene, Integrator shown, const RenderOptio
                                    : scene.lights.size() <= shared::LIGHTS_A_DISPATCH
                                        ? shared::LIGHTS_FEW
                                        : shared::LIGHTS_MANY;
-  constants[shared::SPEC_SAMPLER] = samplerConstant(scene.sampler.kind);
-  if (scene.sampler.kind == Sampler::Kind::Independent)
+  constants[shared::SPEC_SAMPLER] = samplerConstant(scene.sampler.row);
+  if (scene.sampler.row->stream)
     constants[shared::SPEC_JUMP_LEVELS] = jumpLevels(scene.sampler.sampleCount);
   constants[shared::SPEC_FILTER] = filterConstant(scene.filter);
   constants[shared::SPEC_APRON] = apronOf(scene.filter.radius);

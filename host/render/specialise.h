@@ -15,7 +15,8 @@ using SpecConstants = std::array<std::uint32_t, shared::SPEC_CONSTANTS>;
 /// while the tree is built. The stack is a guess; requireStack corrects it.
 SpecConstants specialise(const Scene& scene, const RenderOptions& options);
 /// The same for a picture of that scene that shows something else than its integrator says.
-SpecConstants specialise(const Scene& scene, Integrator shown, const RenderOptions& options);
+SpecConstants specialise(const Scene& scene, const IntegratorRow& shown,
+                         const RenderOptions& options);
 
 /// The same with what any scene could need in each constant c whose bit 1 << c is in `which`: for
 /// tests and benches, which show that the picture keeps its bits and what that costs.

@@ -87,10 +87,10 @@ shared::Picture TexturePacker::add(const Picture& picture, bool raw) {
           static_cast<std::uint32_t>(heightOf(picture)), table};
 }
 
-void specialiseTextures(const Scene& scene, Integrator shown, SpecConstants& constants) {
+void specialiseTextures(const Scene& scene, const IntegratorRow& shown, SpecConstants& constants) {
   std::uint32_t textures = 0, images = 0, background = shared::BACKGROUND_BLACK;
-  const bool lit = shown == Integrator::DirectWhitted && !scene.lights.empty();
-  if (lit || shown == Integrator::Albedo)
+  // Without a light nothing that is hit shows.
+  if (shown.needs.materials && (!shown.needs.lights || !scene.lights.empty()))
     for (const Mesh& mesh : scene.meshes) {
       const std::uint32_t kind = kindOf(mesh.bsdf.texture);
       if (kind == shared::TEXTURE_CHECKER) textures |= shared::TEXTURES_CHECKER;
@@ -98,7 +98,7 @@ void specialiseTextures(const Scene& scene, Integrator shown, SpecConstants& con
       textures |= shared::TEXTURES_IMAGE;
       images |= imagesOf(mesh.bsdf.texture->image);
     }
-  if (shown == Integrator::DirectWhitted && scene.environment) {
+  if (shown.needs.background && scene.environment) {
     const auto& sky = scene.environment;
     background = sky->image ? shared::BACKGROUND_IMAGE : shared::BACKGROUND_CONSTANT;
     images |= imagesOf(sky->image);

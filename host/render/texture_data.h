@@ -30,6 +30,6 @@ class TexturePacker {
 };
 
 /// SPEC_TEXTURES, SPEC_IMAGES and SPEC_BACKGROUND of a scene. Textures count where light falls.
-void specialiseTextures(const Scene& scene, Integrator shown, SpecConstants& constants);
+void specialiseTextures(const Scene& scene, const IntegratorRow& shown, SpecConstants& constants);
 
 }  // namespace laver

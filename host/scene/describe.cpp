@@ -1,61 +1,9 @@
 #include <fmt/format.h>
 
-#include <array>
-#include <cmath>
-
 #include "scene/scene.h"
 
 namespace laver {
 namespace {
-
-struct IntegratorName {
-  Integrator integrator;
-  const char* name;    // in the XML
-  const char* object;  // in the dump; nullptr: a layer, which no scene names
-};
-constexpr std::array kIntegrators = {
-    IntegratorName{Integrator::Normals, "normals", "NormalIntegrator"},
-    IntegratorName{Integrator::DirectWhitted, "direct_whitted", "DirectWhittedIntegrator"},
-    IntegratorName{Integrator::Depth, "depth", "DepthIntegrator"},
-    IntegratorName{Integrator::AverageVisibility, "av", "AverageVisibilityIntegrator"},
-    IntegratorName{Integrator::AmbientOcclusion, "ao", "AmbientOcclusionIntegrator"},
-    IntegratorName{Integrator::ShadingNormal, "shading_normal", nullptr},
-    IntegratorName{Integrator::Albedo, "albedo", nullptr}};
-
-struct FilterName {
-  Filter::Kind kind;
-  const char* name;
-  double radius;  // pixels, as in objects.cpp
-};
-// In the order of Filter::Kind.
-constexpr std::array kFilters = {FilterName{Filter::Kind::Gaussian, "gaussian", 2.0},
-                                 FilterName{Filter::Kind::Mitchell, "mitchell", 2.0},
-                                 FilterName{Filter::Kind::Tent, "tent", 1.0},
-                                 FilterName{Filter::Kind::Box, "box", 0.5}};
-
-const IntegratorName& entry(Integrator integrator) {
-  for (const IntegratorName& candidate : kIntegrators) {
-    if (candidate.integrator == integrator) return candidate;
-  }
-  return kIntegrators[0];
-}
-
-struct SamplerName {
-  Sampler::Kind kind;
-  const char* name;
-  const char* object;
-};
-constexpr std::array kSamplers = {
-    SamplerName{Sampler::Kind::Independent, "independent", "Independent"},
-    SamplerName{Sampler::Kind::Stratified, "stratified", "Stratified"},
-    SamplerName{Sampler::Kind::Sobol, "sobol", "Sobol"}};
-
-const SamplerName& entry(Sampler::Kind kind) {
-  for (const SamplerName& candidate : kSamplers) {
-    if (candidate.kind == kind) return candidate;
-  }
-  return kSamplers[0];
-}
 
 // No negative zero.
 double plain(double x) { return x == 0.0 ? 0.0 : x; }
@@ -75,30 +23,25 @@ std::string rows(const glm::dmat4& m, std::size_t column) {
   return text;
 }
 
-std::string describeIntegrator(const Scene& scene) {
-  const bool av = scene.integrator == Integrator::AverageVisibility;
-  return fmt::format("{}[{}]", entry(scene.integrator).object,
-                     av ? fmt::format("length={:g}", scene.avLength) : "");
+std::string describeIntegrator(const IntegratorUse& use) {
+  std::string properties;
+  for (const PropertyRow& property : use.row->properties)
+    properties += fmt::format("{}{}={:g}", properties.empty() ? "" : ", ", property.name,
+                              use.real(property.name));
+  return fmt::format("{}[{}]", use.row->object, properties);
 }
 
 std::string describeFilter(const Filter& filter) {
-  switch (filter.kind) {
-    case Filter::Kind::Gaussian:
-      return fmt::format("GaussianFilter[radius={:f}, stddev={:f}]", filter.radius, filter.stddev);
-    case Filter::Kind::Mitchell:
-      return fmt::format("MitchellNetravaliFilter[radius={:f}, B={:f}, C={:f}]", filter.radius,
-                         filter.B, filter.C);
-    case Filter::Kind::Tent:
-      return "TentFilter[]";
-    case Filter::Kind::Box:
-      return "BoxFilter[]";
-  }
-  return {};
+  std::string properties;
+  for (std::size_t i = 0; i < filter.row->properties.size(); ++i)
+    properties += fmt::format("{}{}={:f}", i == 0 ? "" : ", ", filter.row->properties[i].name,
+                              filter.*filter.row->members[i]);
+  return fmt::format("{}[{}]", filter.row->object, properties);
 }
 
 std::string describeSampler(const Sampler& sampler) {
   const std::string seed = sampler.seed == 0 ? "" : fmt::format(", seed={}", sampler.seed);
-  return fmt::format("{}[sampleCount={}{}]", entry(sampler.kind).object, sampler.sampleCount, seed);
+  return fmt::format("{}[sampleCount={}{}]", sampler.row->object, sampler.sampleCount, seed);
 }
 
 std::string describeCamera(const Camera& camera, const Filter& filter) {
@@ -163,45 +106,12 @@ std::string list(const std::vector<T>& items, std::string (*describeItem)(const 
 
 }  // namespace
 
-const char* integratorName(Integrator integrator) { return entry(integrator).name; }
-
-std::optional<Integrator> integratorFromName(const std::string& name) {
-  for (const IntegratorName& candidate : kIntegrators) {
-    if (candidate.name == name && candidate.object != nullptr) return candidate.integrator;
-  }
-  return std::nullopt;
-}
-
-const char* filterName(Filter::Kind kind) { return kFilters[static_cast<std::size_t>(kind)].name; }
-
-std::optional<Filter> filterFromName(const std::string& name) {
-  for (const FilterName& candidate : kFilters) {
-    if (candidate.name == name) return Filter{candidate.kind, candidate.radius};
-  }
-  return std::nullopt;
-}
-
-const char* samplerName(Sampler::Kind kind) { return entry(kind).name; }
-
-std::optional<Sampler::Kind> samplerFromName(const std::string& name) {
-  for (const SamplerName& candidate : kSamplers) {
-    if (candidate.name == name) return candidate.kind;
-  }
-  return std::nullopt;
-}
-
-glm::uvec2 strataOf(std::uint32_t sampleCount) {
-  auto columns = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(sampleCount)));
-  while (sampleCount % columns != 0) --columns;
-  return {columns, sampleCount / columns};
-}
-
 std::string describe(const Scene& scene) {
   // The missing comma behind the sampler is Nori's.
   std::string text = fmt::format(
       "Scene[\n  integrator = {},\n  sampler = {}\n  camera = {},\n  medium = null,\n"
       "  envEmitter = {},\n",
-      describeIntegrator(scene), describeSampler(scene.sampler),
+      describeIntegrator(scene.integrator), describeSampler(scene.sampler),
       describeCamera(scene.camera, scene.filter), describeEnvironment(scene.environment));
   if (!scene.lights.empty()) {
     text += fmt::format("  emitters = {},\n", list(scene.lights, describeLight));

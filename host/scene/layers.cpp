@@ -18,16 +18,17 @@ std::optional<Layer> layerFromName(const std::string& name) {
   return static_cast<Layer>(found - kNames.begin());
 }
 
-std::vector<Shown> shownBeside(std::span<const Integrator> more, std::span<const Layer> layers) {
+std::vector<Shown> shownBeside(std::span<const IntegratorUse> more, std::span<const Layer> layers) {
   std::vector<Shown> all;
-  for (const Integrator integrator : more) {
-    const std::string name = integratorName(integrator);
-    all.push_back({integrator, {name + ".R", name + ".G", name + ".B"}});
+  for (const IntegratorUse& use : more) {
+    const std::string name = use.row->name;
+    all.push_back({use, {name + ".R", name + ".G", name + ".B"}});
   }
   for (const Layer layer : layers) {
-    if (layer == Layer::Normals) all.push_back({Integrator::ShadingNormal, {"N.X", "N.Y", "N.Z"}});
+    if (layer == Layer::Normals)
+      all.push_back({{&integrators::shadingNormal}, {"N.X", "N.Y", "N.Z"}});
     if (layer == Layer::Albedo)
-      all.push_back({Integrator::Albedo, {"Albedo.R", "Albedo.G", "Albedo.B"}});
+      all.push_back({{&integrators::albedo}, {"Albedo.R", "Albedo.G", "Albedo.B"}});
   }
   return all;
 }

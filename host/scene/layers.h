@@ -27,12 +27,12 @@ inline bool asks(std::span<const Layer> layers, Layer layer) {
 
 /// A picture that is reconstructed beside the scene's own, and its channels in the file.
 struct Shown {
-  Integrator integrator;
+  IntegratorUse integrator;
   std::vector<std::string> channels;
 };
 
 /// What further integrators and layers ask to reconstruct.
-std::vector<Shown> shownBeside(std::span<const Integrator> more, std::span<const Layer> layers);
+std::vector<Shown> shownBeside(std::span<const IntegratorUse> more, std::span<const Layer> layers);
 
 /// Channels of the layers that are taken at pixels' centres, in the order of `layers`.
 std::vector<std::string> centreChannels(std::span<const Layer> layers);

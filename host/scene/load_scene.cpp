@@ -17,8 +17,8 @@ xml::Draft xml::readDraft(const TextSource& source, const SceneOverrides& overri
   Draft draft{overrides, {}, {}, {}, 0};
   draft.scene.file = source.file();
   if (root) Reader(source, draft, diagnostics).readScene(root);
-  if (overrides.filter && *overrides.filter != draft.scene.filter.kind)
-    draft.scene.filter = *filterFromName(filterName(*overrides.filter));
+  if (overrides.filter != nullptr && overrides.filter != draft.scene.filter.row)
+    draft.scene.filter = filterOf(*overrides.filter);
   return draft;
 }
 

@@ -1,7 +1,6 @@
 // The objects that laver has: a table of properties and a function each.
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <limits>
@@ -15,43 +14,70 @@ namespace {
 
 using enum PropertyType;
 
-double positive(const Properties& given, const char* name) {
-  const double value = given.real(name);
-  if (!(value > 0.0))
-    given.error(name, fmt::format("{} must be more than 0, found {}", name, value));
-  return value;
+/// The row that an object's type names.
+template <class Row>
+const Row& rowOf(const Properties& given, const Rows<Row>& rows) {
+  return *rowCalled(rows, given.rule().type);
 }
 
-template <Integrator kKind>
-void buildIntegrator(const Properties&, std::string_view, Draft& draft) {
-  if (!draft.overrides.integrator) draft.scene.integrator = kKind;
+void buildIntegrator(const Properties& given, std::string_view, Draft& draft) {
+  IntegratorUse use{&rowOf(given, integratorRows())};
+  for (const PropertyRow& property : use.row->properties)
+    if (given.has(property.name)) setValue(use.values, property.name, given.real(property.name));
+  draft.scene.fileIntegrator = use;
+  if (!draft.overrides.integrator) draft.scene.integrator = use;
 }
 
-constexpr std::array kAverageVisibility = {PropertyRule{"length", Float, nullptr}};
-
-void buildAverageVisibility(const Properties& given, std::string_view parent, Draft& draft) {
-  buildIntegrator<Integrator::AverageVisibility>(given, parent, draft);
-  if (given.has("length")) draft.scene.avLength = positive(given, "length");
-}
-
-constexpr std::array kCamera = {
-    PropertyRule{"toWorld", Transform, ""},    PropertyRule{"width", Integer, "1280"},
-    PropertyRule{"height", Integer, "720"},    PropertyRule{"fov", Float, "30"},
-    PropertyRule{"nearClip", Float, "0.0001"}, PropertyRule{"farClip", Float, "10000"}};
-
-int filmEdge(const Properties& given, const char* name, std::int64_t pixels) {
-  constexpr std::int64_t kMost = std::numeric_limits<int>::max();
-  if (pixels >= 1 && pixels <= kMost) return static_cast<int>(pixels);
-  given.error(name, fmt::format("{} must be 1 to {} pixels, found {}", name, kMost, pixels));
-  return 1;
+std::vector<PropertyRow> cameraProperties() {
+  constexpr Range kPixels = fromTo(1, std::numeric_limits<int>::max());
+  const Camera camera;
+  return {
+      {.name = "toWorld",
+       .type = Transform,
+       .start = camera.toWorld,
+       .meaning = "from the camera, which looks along +z with +x to the left and +y up"},
+      {.name = "width",
+       .type = Integer,
+       .start = std::int64_t{camera.width},
+       .range = kPixels,
+       .unit = "pixels",
+       .meaning = "of the film"},
+      {.name = "height",
+       .type = Integer,
+       .start = std::int64_t{camera.height},
+       .range = kPixels,
+       .unit = "pixels",
+       .meaning = "of the film"},
+      {.name = "fov",
+       .type = Float,
+       .start = camera.fov,
+       .range = between(0.0, 180.0),
+       .unit = "degrees",
+       .meaning = "horizontal field of view"},
+      {.name = "nearClip",
+       .type = Float,
+       .start = camera.nearClip,
+       .range = moreThan(0.0),
+       .unit = "camera units",
+       .meaning = "nothing in front of this plane is seen"},
+      {.name = "farClip",
+       .type = Float,
+       .start = camera.farClip,
+       .unit = "camera units",
+       .meaning = "nothing behind this plane is seen"},
+  };
 }
 
 void buildCamera(const Properties& given, std::string_view, Draft& draft) {
+  using Pixels = std::optional<std::int64_t>;
   Camera& camera = draft.scene.camera;
   const auto& size = draft.overrides.size;
+  const auto edge = [&](const char* name, const Pixels& instead) {
+    return static_cast<int>(given.integer(name, instead));
+  };
   camera.toWorld = given.transform("toWorld");
-  camera.width = filmEdge(given, "width", size ? size->x : given.integer("width"));
-  camera.height = filmEdge(given, "height", size ? size->y : given.integer("height"));
+  camera.width = edge("width", size ? Pixels(size->x) : Pixels());
+  camera.height = edge("height", size ? Pixels(size->y) : Pixels());
   camera.fov = given.real("fov");
   camera.nearClip = given.real("nearClip");
   camera.farClip = given.real("farClip");
@@ -60,21 +86,11 @@ void buildCamera(const Properties& given, std::string_view, Draft& draft) {
     given.error("width", fmt::format("a film of {}x{} has more than {} pixels", camera.width,
                                      camera.height, kMostPixels));
   }
-  if (!(camera.fov > 0.0 && camera.fov < 180.0)) {
-    given.error("fov", fmt::format("fov must be more than 0 and less than 180 degrees, found {}",
-                                   camera.fov));
-  }
-  if (!(camera.nearClip > 0.0)) {
-    given.error("nearClip", fmt::format("nearClip must be more than 0, found {}", camera.nearClip));
-  }
   if (!(camera.farClip > camera.nearClip)) {
     given.error("farClip", fmt::format("farClip must be more than nearClip ({}), found {}",
                                        camera.nearClip, camera.farClip));
   }
 }
-
-constexpr std::array kSampler = {PropertyRule{"sampleCount", Integer, "1"},
-                                 PropertyRule{"seed", Integer, "0"}};
 
 // Long strata leave one axis nearly to chance.
 void checkStrata(const Properties& given, std::uint32_t count) {
@@ -87,56 +103,27 @@ void checkStrata(const Properties& given, std::uint32_t count) {
                   strata.x, strata.y, root * root, (root + 1) * (root + 1)));
 }
 
-template <Sampler::Kind kKind>
 void buildSampler(const Properties& given, std::string_view, Draft& draft) {
   const SceneOverrides& overrides = draft.overrides;
-  const std::int64_t count =
-      overrides.sampleCount ? std::int64_t{*overrides.sampleCount} : given.integer("sampleCount");
-  constexpr std::int64_t kMost = std::numeric_limits<std::uint32_t>::max();
-  if (count < 1 || count > kMost) {
-    given.error("sampleCount", fmt::format("sampleCount must be 1 to {}, found {}", kMost, count));
-  }
-  draft.scene.sampler.sampleCount = static_cast<std::uint32_t>(count);
-  draft.scene.sampler.seed = overrides.seed.value_or(given.integer("seed"));
-  draft.scene.sampler.kind = kKind;
-  if (kKind == Sampler::Kind::Stratified && count >= 1 && count <= kMost)
-    checkStrata(given, draft.scene.sampler.sampleCount);
+  Sampler& sampler = draft.scene.sampler;
+  sampler.row = &rowOf(given, samplerRows());
+  sampler.sampleCount =
+      static_cast<std::uint32_t>(given.integer("sampleCount", overrides.sampleCount));
+  sampler.seed = given.integer("seed", overrides.seed);
+  if (sampler.row->strata) checkStrata(given, sampler.sampleCount);
 }
 
-constexpr std::array kGaussian = {PropertyRule{"radius", Float, "2"},
-                                  PropertyRule{"stddev", Float, "0.5"}};
-constexpr std::array kMitchell = {PropertyRule{"radius", Float, "2"},
-                                  PropertyRule{"B", Float, "0.3333333333333333"},
-                                  PropertyRule{"C", Float, "0.3333333333333333"}};
-
-void buildGaussian(const Properties& given, std::string_view, Draft& draft) {
-  Filter& filter = draft.scene.filter;
-  filter.kind = Filter::Kind::Gaussian;
-  filter.radius = positive(given, "radius");
-  filter.stddev = positive(given, "stddev");
+void buildFilter(const Properties& given, std::string_view, Draft& draft) {
+  const FilterRow& row = rowOf(given, filterRows());
+  Filter filter = filterOf(row);
+  for (std::size_t i = 0; i < row.properties.size(); ++i)
+    filter.*row.members[i] = given.real(row.properties[i].name);
+  draft.scene.filter = filter;
 }
 
-void buildMitchell(const Properties& given, std::string_view, Draft& draft) {
-  Filter& filter = draft.scene.filter;
-  filter.kind = Filter::Kind::Mitchell;
-  filter.radius = positive(given, "radius");
-  filter.B = given.real("B");
-  filter.C = given.real("C");
-}
-
-// Nori's tent and box have fixed radii.
-void buildTent(const Properties&, std::string_view, Draft& draft) {
-  draft.scene.filter.kind = Filter::Kind::Tent;
-  draft.scene.filter.radius = 1.0;
-}
-
-void buildBox(const Properties&, std::string_view, Draft& draft) {
-  draft.scene.filter.kind = Filter::Kind::Box;
-  draft.scene.filter.radius = 0.5;
-}
-
-constexpr std::array kObj = {PropertyRule{"filename", String, nullptr},
-                             PropertyRule{"toWorld", Transform, ""}};
+const std::vector<PropertyRow> kObj = {
+    {.name = "filename", .type = String, .required = true},
+    {.name = "toWorld", .type = Transform, .start = glm::dmat4(1.0)}};
 
 void buildObj(const Properties& given, std::string_view, Draft& draft) {
   // Without a file name the mesh still takes its children.
@@ -148,15 +135,17 @@ void buildObj(const Properties& given, std::string_view, Draft& draft) {
   draft.meshes.push_back({given.offset(), name, given.transform("toWorld"), {}, 0, {}});
 }
 
-constexpr std::array kSphere = {PropertyRule{"center", Point, "0 0 0"},
-                                PropertyRule{"radius", Float, "1"}};
+const std::vector<PropertyRow> kSphere = {
+    {.name = "center", .type = Point, .start = Sphere{}.centre},
+    {.name = "radius", .type = Float, .start = Sphere{}.radius, .range = moreThan(0.0)}};
 
 void buildSphere(const Properties& given, std::string_view, Draft& draft) {
-  const Sphere sphere{given.triple("center"), positive(given, "radius")};
+  const Sphere sphere{given.triple("center"), given.real("radius")};
   draft.meshes.push_back({given.offset(), "", glm::dmat4(1.0), {}, 0, sphere});
 }
 
-constexpr std::array kDiffuse = {PropertyRule{"albedo", Color, "0.5 0.5 0.5"}};
+const std::vector<PropertyRow> kDiffuse = {
+    {.name = "albedo", .type = Color, .start = Diffuse{}.albedo}};
 
 void buildDiffuse(const Properties& given, std::string_view, Draft& draft) {
   if (!draft.meshes.empty()) draft.meshes.back().bsdf.albedo = given.triple("albedo");
@@ -166,10 +155,12 @@ void addLight(const PointLight& light, std::string_view parent, Draft& draft) {
   (parent == "mesh" ? draft.meshLights : draft.scene.lights).push_back(light);
 }
 
-constexpr std::array kPointLight = {PropertyRule{"position", Point, "0 100 0"},
-                                    PropertyRule{"radiance", Color, "1 1 1"}};
-constexpr std::array kPowerLight = {PropertyRule{"position", Point, "0 100 0"},
-                                    PropertyRule{"power", Color, nullptr}};
+const std::vector<PropertyRow> kPointLight = {
+    {.name = "position", .type = Point, .start = PointLight{}.position},
+    {.name = "radiance", .type = Color, .start = PointLight{}.radiance}};
+const std::vector<PropertyRow> kPowerLight = {
+    {.name = "position", .type = Point, .start = PointLight{}.position},
+    {.name = "power", .type = Color, .start = glm::dvec3(0.0), .required = true}};
 
 void buildPointLight(const Properties& given, std::string_view parent, Draft& draft) {
   addLight({given.triple("position"), given.triple("radiance")}, parent, draft);
@@ -181,36 +172,46 @@ void buildPowerLight(const Properties& given, std::string_view parent, Draft& dr
   addLight({given.triple("position"), radiance}, parent, draft);
 }
 
-constexpr std::array kObjects = {
-    ObjectRule{"integrator", "normals", {}, buildIntegrator<Integrator::Normals>},
-    ObjectRule{"integrator", "direct_whitted", {}, buildIntegrator<Integrator::DirectWhitted>},
-    ObjectRule{"integrator", "depth", {}, buildIntegrator<Integrator::Depth>},
-    ObjectRule{"integrator", "av", kAverageVisibility, buildAverageVisibility},
-    ObjectRule{"integrator", "ao", {}, buildIntegrator<Integrator::AmbientOcclusion>},
-    ObjectRule{"camera", "perspective", kCamera, buildCamera},
-    ObjectRule{"sampler", "independent", kSampler, buildSampler<Sampler::Kind::Independent>},
-    ObjectRule{"sampler", "stratified", kSampler, buildSampler<Sampler::Kind::Stratified>},
-    ObjectRule{"sampler", "sobol", kSampler, buildSampler<Sampler::Kind::Sobol>},
-    ObjectRule{"rfilter", "gaussian", kGaussian, buildGaussian},
-    ObjectRule{"rfilter", "mitchell", kMitchell, buildMitchell},
-    ObjectRule{"rfilter", "tent", {}, buildTent},
-    ObjectRule{"rfilter", "box", {}, buildBox},
-    ObjectRule{"mesh", "obj", kObj, buildObj},
-    ObjectRule{"mesh", "sphere", kSphere, buildSphere},
-    ObjectRule{"bsdf", "diffuse", kDiffuse, buildDiffuse},
-    ObjectRule{"emitter", "pointlight", kPointLight, buildPointLight},
-    ObjectRule{"emitter", "point", kPowerLight, buildPowerLight},
-    ObjectRule{"emitter", "environment", kEnvironment, buildEnvironment},
-    ObjectRule{"emitter", "envmap", kEnvironment, buildEnvmap},
-    ObjectRule{"emitter", "constant", kConstant, buildConstant},
-    ObjectRule{"texture", "checker", kChecker, buildChecker},
-    ObjectRule{"texture", "textmap", kTextmap, buildTextmap},
-    ObjectRule{"texture", "image_texture", kTextmap, buildTextmap},
-    ObjectRule{"texture", "bitmap", kTextmap, buildTextmap},
-};
+using Build = void (*)(const Properties& given, std::string_view parent, Draft& draft);
+
+/// Adds a rule for each name of each row.
+template <class Row>
+void add(std::vector<ObjectRule>& rules, const char* tag, const Rows<Row>& rows, Build build) {
+  for (const Row* row : rows) {
+    rules.push_back({tag, row->name, row->properties, build});
+    for (const char* spelling : row->spellings)
+      rules.push_back({tag, spelling, row->properties, build});
+  }
+}
+
+std::vector<ObjectRule> makeRules() {
+  std::vector<ObjectRule> rules;
+  static const std::vector<PropertyRow> camera = cameraProperties();
+  add(rules, "integrator", integratorRows(), buildIntegrator);
+  rules.push_back({"camera", "perspective", camera, buildCamera});
+  add(rules, "sampler", samplerRows(), buildSampler);
+  add(rules, "rfilter", filterRows(), buildFilter);
+  const ObjectRule others[] = {{"mesh", "obj", kObj, buildObj},
+                               {"mesh", "sphere", kSphere, buildSphere},
+                               {"bsdf", "diffuse", kDiffuse, buildDiffuse},
+                               {"emitter", "pointlight", kPointLight, buildPointLight},
+                               {"emitter", "point", kPowerLight, buildPowerLight},
+                               {"emitter", "environment", kEnvironment, buildEnvironment},
+                               {"emitter", "envmap", kEnvironment, buildEnvmap},
+                               {"emitter", "constant", kConstant, buildConstant},
+                               {"texture", "checker", kChecker, buildChecker},
+                               {"texture", "textmap", kTextmap, buildTextmap},
+                               {"texture", "image_texture", kTextmap, buildTextmap},
+                               {"texture", "bitmap", kTextmap, buildTextmap}};
+  rules.insert(rules.end(), std::begin(others), std::end(others));
+  return rules;
+}
 
 }  // namespace
 
-std::span<const ObjectRule> objectRules() { return kObjects; }
+std::span<const ObjectRule> objectRules() {
+  static const std::vector<ObjectRule> rules = makeRules();
+  return rules;
+}
 
 }  // namespace laver::xml

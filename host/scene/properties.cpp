@@ -11,15 +11,8 @@ std::string nameOf(const ObjectRule& rule) {
 
 Properties::Properties(const ObjectRule& rule, std::size_t offset, Diagnostics& diagnostics)
     : rule_(rule), offset_(offset), diagnostics_(diagnostics) {
-  for (const PropertyRule& property : rule.properties) {
-    Slot slot{{}, offset, false, property.fallback != nullptr};
-    if (property.type == PropertyType::Transform) {
-      slot.value = glm::dmat4(1.0);
-    } else if (slot.usable) {
-      parseValue(property.type, property.fallback, slot.value);
-    }
-    slots_.push_back(std::move(slot));
-  }
+  for (const PropertyRow& property : rule.properties)
+    slots_.push_back({property.start, offset, false, !property.required});
 }
 
 std::size_t Properties::find(std::string_view name) const {
@@ -39,17 +32,29 @@ void Properties::spoil(std::size_t index, std::size_t offset) {
 
 void Properties::checkRequired() const {
   for (std::size_t i = 0; i < slots_.size(); ++i) {
-    const PropertyRule& property = rule_.properties[i];
-    if (property.fallback != nullptr || slots_[i].given) continue;
+    const PropertyRow& property = rule_.properties[i];
+    if (!property.required || slots_[i].given) continue;
     diagnostics_.error(offset_, fmt::format("{} needs the property <{} name=\"{}\">", nameOf(rule_),
                                             tagOf(property.type), property.name));
   }
 }
 
-double Properties::real(std::string_view name) const { return std::get<double>(slot(name).value); }
+double Properties::real(std::string_view name) const {
+  checkRange(name, slot(name).value);
+  return std::get<double>(slot(name).value);
+}
 
-std::int64_t Properties::integer(std::string_view name) const {
-  return std::get<std::int64_t>(slot(name).value);
+std::int64_t Properties::integer(std::string_view name,
+                                 const std::optional<std::int64_t>& instead) const {
+  const Value value = instead ? Value(*instead) : slot(name).value;
+  if (checkRange(name, value)) return std::get<std::int64_t>(value);
+  return std::get<std::int64_t>(rule_.properties[find(name)].start);
+}
+
+bool Properties::checkRange(std::string_view name, const Value& value) const {
+  const std::string problem = problemOf(rule_.properties[find(name)], value);
+  if (!problem.empty()) error(name, problem);
+  return problem.empty();
 }
 
 bool Properties::boolean(std::string_view name) const { return std::get<bool>(slot(name).value); }

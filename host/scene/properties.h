@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,8 +25,11 @@ class Properties {
   void checkRequired() const;
 
   /// Values by name; the name and the type must be the rule's.
+  /// A number out of its row's range is reported.
   double real(std::string_view name) const;
-  std::int64_t integer(std::string_view name) const;
+  /// The same, and then the row's start returned. `instead` stands for the value.
+  std::int64_t integer(std::string_view name,
+                       const std::optional<std::int64_t>& instead = {}) const;
   bool boolean(std::string_view name) const;
   glm::dvec3 triple(std::string_view name) const;
   glm::dmat4 transform(std::string_view name) const;
@@ -50,6 +54,7 @@ class Properties {
     bool usable = false;  // has a value
   };
   const Slot& slot(std::string_view name) const { return slots_.at(find(name)); }
+  bool checkRange(std::string_view name, const Value& value) const;
 
   const ObjectRule& rule_;
   std::size_t offset_;

@@ -17,9 +17,11 @@ bool isElement(pugi::xml_node node) { return node.type() == pugi::node_element; 
 }  // namespace
 
 void Reader::findIntegrator(pugi::xml_node root) {
-  integrator_ = draft_.overrides.integrator;
-  if (!integrator_) {
-    integrator_ = integratorFromName(root.child("integrator").attribute("type").value());
+  const char* type = root.child("integrator").attribute("type").value();
+  if (draft_.overrides.integrator) {
+    integrator_ = draft_.overrides.integrator;
+  } else if (const IntegratorRow* row = rowCalled(integratorRows(), type)) {
+    integrator_ = IntegratorUse{row};
   }
   if (integrator_) draft_.scene.integrator = *integrator_;
   if (!integrator_ && !root.child("integrator")) {
@@ -33,16 +35,17 @@ void Reader::readScene(pugi::xml_node root) {
   checkAttributes(root, {}, source_, diagnostics_);
   Properties none(kScene, at(root), diagnostics_);
   readChildren(root, &none, "scene");
-  if (!root.child("camera")) buildDefault("camera", "perspective", at(root));
-  if (!root.child("sampler"))
-    buildDefault("sampler",
-                 samplerName(draft_.overrides.sampler.value_or(Sampler::Kind::Independent)),
+  if (!root.child("camera")) buildDefault("camera", knownTypes("camera").front(), at(root));
+  if (!root.child("sampler")) {
+    const SamplerRow* sampler = draft_.overrides.sampler;
+    buildDefault("sampler", (sampler != nullptr ? sampler : draft_.scene.sampler.row)->name,
                  at(root));
+  }
   auto& lights = draft_.scene.lights;
   lights.insert(lights.end(), draft_.meshLights.begin(), draft_.meshLights.end());
 }
 
-void Reader::buildDefault(const char* tag, const char* type, std::size_t offset) {
+void Reader::buildDefault(const char* tag, std::string_view type, std::size_t offset) {
   const ObjectRule& rule = *findObject(tag, type);
   rule.build(Properties(rule, offset, diagnostics_), "scene", draft_);
 }
@@ -90,7 +93,7 @@ void Reader::readProperty(pugi::xml_node node, PropertyType type, Properties& pr
   const std::size_t index = properties.find(name);
   if (index == rule.properties.size()) {
     std::vector<std::string_view> names;
-    for (const PropertyRule& property : rule.properties) names.emplace_back(property.name);
+    for (const PropertyRow& property : rule.properties) names.emplace_back(property.name);
     const std::string_view hint = nearest(name, names);
     diagnostics_.warning(
         at(node), fmt::format("{} has no property {}: ignored; {}", nameOf(rule), inQuotes(name),
@@ -150,15 +153,14 @@ bool Reader::checkPlace(pugi::xml_node node, const TagRule& rule, std::string_vi
 }
 
 void Reader::missing(pugi::xml_node node, Need need, const std::string& message) {
-  const bool needed =
-      need == Need::Always || (need == Need::Shading &&
-                               (draft_.overrides.shading || (integrator_ && shades(*integrator_))));
+  const bool needed = need == Need::Always ||
+                      (need == Need::Shading &&
+                       (draft_.overrides.shading || (integrator_ && shades(*integrator_->row))));
   if (needed) {
     diagnostics_.error(at(node), message);
   } else {
-    const std::string who = integrator_
-                                ? fmt::format("integrator \"{}\"", integratorName(*integrator_))
-                                : "the picture";
+    const std::string who =
+        integrator_ ? fmt::format("integrator \"{}\"", integrator_->row->name) : "the picture";
     diagnostics_.warning(at(node), fmt::format("{}; ignored, {} does not need it", message, who));
   }
 }
@@ -172,7 +174,7 @@ bool Reader::checkTexture(pugi::xml_node node, const ObjectRule& parent) {
   }
   const std::string_view name = node.attribute("name").value();
   std::vector<std::string_view> names;
-  for (const PropertyRule& property : parent.properties)
+  for (const PropertyRow& property : parent.properties)
     if (property.type == PropertyType::Color) names.emplace_back(property.name);
   if (std::find(names.begin(), names.end(), name) == names.end()) {
     missing(node, Need::Shading,
@@ -195,8 +197,8 @@ void Reader::readObject(pugi::xml_node node, const TagRule& rule, const ObjectRu
   const char* type = requireAttribute(node, "type", source_, diagnostics_);
   if (!type) return;
   // All samplers take the same properties, also those that laver does not have.
-  if (rule.tag == std::string_view("sampler") && draft_.overrides.sampler)
-    type = samplerName(*draft_.overrides.sampler);
+  if (rule.tag == std::string_view("sampler") && draft_.overrides.sampler != nullptr)
+    type = draft_.overrides.sampler->name;
   const ObjectRule* object = findObject(rule.tag, type);
   if (object) {
     checkAttributes(node, {"type", "name"}, source_, diagnostics_);

@@ -24,7 +24,7 @@ class Reader {
   bool checkPlace(pugi::xml_node node, const TagRule& rule, std::string_view parent);
   bool checkTexture(pugi::xml_node node, const ObjectRule& parent);
   void missing(pugi::xml_node node, Need need, const std::string& message);
-  void buildDefault(const char* tag, const char* type, std::size_t offset);
+  void buildDefault(const char* tag, std::string_view type, std::size_t offset);
   void findIntegrator(pugi::xml_node root);
 
   std::size_t at(pugi::xml_node node) const { return offsetOf(node, source_); }
@@ -32,7 +32,7 @@ class Reader {
   const TextSource& source_;
   Draft& draft_;
   Diagnostics& diagnostics_;
-  std::optional<Integrator> integrator_;  // the one that will run, if it is known
+  std::optional<IntegratorUse> integrator_;  // the one that will run, if it is known
 };
 
 /// Reads a scene's tags into a draft, whose meshes are still to be loaded.

@@ -27,12 +27,12 @@ struct Watcher {
 
 /// How to render, apart from what the scene says. Both renderers take it.
 struct RenderOptions {
-  std::optional<Crop> crop;      ///< default: the whole film; the picture has the crop's size
-  std::vector<Integrator> more;  ///< further pictures from the same upload, each in channels NAME.*
-  std::vector<Layer> layers;     ///< shown beside the picture
-  bool noriCompat = false;       ///< filter weights from Nori's 32-entry table
-  double error = 0.0;            ///< adaptive sampling to this error (render/sample_map.h); 0: none
-  unsigned threads = 0;          ///< host threads, 0: all
+  std::optional<Crop> crop;         ///< default: the whole film; the picture has the crop's size
+  std::vector<IntegratorUse> more;  ///< further pictures from one upload, each in channels NAME.*
+  std::vector<Layer> layers;        ///< shown beside the picture
+  bool noriCompat = false;          ///< filter weights from Nori's 32-entry table
+  double error = 0.0;    ///< adaptive sampling to this error (render/sample_map.h); 0: none
+  unsigned threads = 0;  ///< host threads, 0: all
   std::function<void(double)> progress;  ///< called now and then with the share done, 0 to 1
   Watcher watcher;
   std::function<bool()> stop;  ///< asked before each pass: true ends the render there

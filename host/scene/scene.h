@@ -2,26 +2,16 @@
 #include <algorithm>
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "scene/filters.h"
+#include "scene/integrators.h"
+#include "scene/samplers.h"
 #include "scene/texture.h"
 
 namespace laver {
-
-/// What a pixel shows. The last two are layers, which no scene names: the shading normal with its
-/// signs, and the albedo.
-enum class Integrator {
-  Normals,
-  DirectWhitted,
-  Depth,
-  AverageVisibility,
-  AmbientOcclusion,
-  ShadingNormal,
-  Albedo
-};
 
 /// Pinhole camera. Camera space: +x left, +y up, +z forward.
 struct Camera {
@@ -31,28 +21,6 @@ struct Camera {
   double fov = 30.0;        ///< horizontal, degrees
   double nearClip = 1e-4;   ///< plane z = nearClip of camera space
   double farClip = 1e4;
-};
-
-/// Reconstruction filter, separable; radius and stddev in pixels.
-struct Filter {
-  enum class Kind { Gaussian, Mitchell, Tent, Box };
-  Kind kind = Kind::Gaussian;
-  double radius = 2.0;
-  double stddev = 0.5;   ///< gaussian only
-  double B = 1.0 / 3.0;  ///< Mitchell only
-  double C = 1.0 / 3.0;  ///< Mitchell only
-};
-
-/// Where the samples of a pixel lie.
-struct Sampler {
-  enum class Kind {
-    Independent,  ///< Nori's: uniform, each by itself
-    Stratified,   ///< uniform, one in each of strataOf(sampleCount)
-    Sobol         ///< a (0,2)-sequence, Owen-scrambled by pixel; the count changes no sample
-  };
-  std::uint32_t sampleCount = 1;  ///< per pixel
-  std::int64_t seed = 0;
-  Kind kind = Kind::Independent;
 };
 
 /// Lambertian reflection.
@@ -91,9 +59,10 @@ struct Mesh {
 /// A scene as plain data: no Vulkan, no file handles.
 struct Scene {
   std::string file;  ///< path it was read from
-  Integrator integrator = Integrator::Normals;
-  /// How far `av` looks, in scene units.
-  double avLength = std::numeric_limits<double>::infinity();
+  IntegratorUse integrator;
+  /// What the file names, if another one is shown. Where it is shown beside that, its properties
+  /// hold.
+  IntegratorUse fileIntegrator;
   Camera camera;
   Filter filter;
   Sampler sampler;
@@ -101,6 +70,13 @@ struct Scene {
   std::vector<PointLight> lights;
   std::optional<Environment> environment;
 };
+
+/// An integrator with the properties that the scene's file gives it.
+inline IntegratorUse useOf(const Scene& scene, const IntegratorUse& wanted) {
+  if (!wanted.values.empty()) return wanted;
+  if (scene.integrator.row == wanted.row) return scene.integrator;
+  return scene.fileIntegrator.row == wanted.row ? scene.fileIntegrator : wanted;
+}
 
 inline bool hasSpheres(const Scene& scene) {
   return std::any_of(scene.meshes.begin(), scene.meshes.end(),
@@ -116,14 +92,14 @@ inline std::uint64_t primitivesOf(const Scene& scene) {
 
 /// What the command line changes in a scene before it is checked.
 struct SceneOverrides {
-  std::optional<Integrator> integrator;
-  std::optional<Sampler::Kind> sampler;
+  std::optional<IntegratorUse> integrator;
+  const SamplerRow* sampler = nullptr;
   std::optional<std::uint32_t> sampleCount;
   std::optional<std::int64_t> seed;
-  std::optional<glm::ivec2> size;      ///< width, height in pixels
-  bool shading = false;                ///< materials and lights are needed, whatever the integrator
-  bool noriCompat = false;             ///< textures of 8 and 16 bits are taken for linear
-  std::optional<Filter::Kind> filter;  ///< with the scene's parameters where it has that kind
+  std::optional<glm::ivec2> size;     ///< width, height in pixels
+  bool shading = false;               ///< materials and lights are needed, whatever the integrator
+  bool noriCompat = false;            ///< textures of 8 and 16 bits are taken for linear
+  const FilterRow* filter = nullptr;  ///< with the scene's parameters where it has that filter
 };
 
 /// A scene and what its reader should be told: one `file:line:col: warning: ...` line each.
@@ -136,26 +112,6 @@ struct LoadedScene {
 /// Error(ExitCode::Scene) whose text holds one `file:line:col: error: ...` line for every error
 /// found.
 LoadedScene loadScene(const std::string& file, const SceneOverrides& overrides = {});
-
-/// Nori's name of an integrator, as in the XML.
-const char* integratorName(Integrator integrator);
-
-/// The integrator of that name, if laver has it.
-std::optional<Integrator> integratorFromName(const std::string& name);
-
-/// Nori's name of a filter, as in the XML.
-const char* filterName(Filter::Kind kind);
-
-/// The filter of that name with the parameters that the XML may leave out, if laver has it.
-std::optional<Filter> filterFromName(const std::string& name);
-
-/// The same of a sampler.
-const char* samplerName(Sampler::Kind kind);
-std::optional<Sampler::Kind> samplerFromName(const std::string& name);
-
-/// Columns and rows of strata of the sampler `stratified`: the factors of the count that are
-/// nearest to each other, the smaller first.
-glm::uvec2 strataOf(std::uint32_t sampleCount);
 
 /// The `Scene[ ... ]` text that Nori prints.
 std::string describe(const Scene& scene);

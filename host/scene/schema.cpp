@@ -93,12 +93,8 @@ std::vector<std::string_view> knownTags() {
   return tags;
 }
 
-bool shades(Integrator integrator) {
-  return integrator == Integrator::DirectWhitted || integrator == Integrator::Albedo;
-}
-
 bool needsShading(const Draft& draft) {
-  return draft.overrides.shading || shades(draft.scene.integrator);
+  return draft.overrides.shading || shades(*draft.scene.integrator.row);
 }
 
 }  // namespace laver::xml

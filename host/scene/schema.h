@@ -12,13 +12,6 @@ namespace laver::xml {
 
 class Properties;
 
-/// A property that an object takes. Its default is written as a scene would write it.
-struct PropertyRule {
-  const char* name;
-  PropertyType type;
-  const char* fallback;  ///< nullptr: required; a transform's is "" (identity)
-};
-
 /// A mesh whose file is yet to be read.
 struct MeshDraft {
   std::size_t offset;  ///< of the mesh's tag
@@ -43,7 +36,7 @@ struct Draft {
 struct ObjectRule {
   const char* tag;
   const char* type;
-  std::span<const PropertyRule> properties;
+  std::span<const PropertyRow> properties;
   void (*build)(const Properties& given, std::string_view parent, Draft& draft);
 };
 
@@ -93,9 +86,7 @@ std::vector<std::string_view> knownOperations();
 /// All tags: objects, properties and transform operations.
 std::vector<std::string_view> knownTags();
 
-/// Whether an integrator looks at materials and lights.
-bool shades(Integrator integrator);
-/// Whether something that is rendered of the scene does.
+/// Whether something that is rendered of the scene depends on materials, lights or the background.
 bool needsShading(const Draft& draft);
 
 }  // namespace laver::xml

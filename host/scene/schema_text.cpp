@@ -16,10 +16,10 @@ std::string needOf(const TagRule& rule) {
   return rule.need == Need::Shading ? "integrators that shade" : "none";
 }
 
-nlohmann::json propertyJson(const PropertyRule& rule) {
+nlohmann::json propertyJson(const PropertyRow& rule) {
   nlohmann::json json{{"name", rule.name}, {"type", tagOf(rule.type)}};
-  json["required"] = rule.fallback == nullptr;
-  if (rule.fallback != nullptr) json["default"] = rule.fallback;
+  json["required"] = rule.required;
+  if (!rule.required) json["default"] = textOf(rule.start);
   return json;
 }
 
@@ -33,7 +33,7 @@ nlohmann::json elementJson(const TagRule& tag) {
   for (const ObjectRule& object : objectRules()) {
     if (object.tag != std::string_view(tag.tag)) continue;
     nlohmann::json properties = nlohmann::json::array();
-    for (const PropertyRule& property : object.properties)
+    for (const PropertyRow& property : object.properties)
       properties.push_back(propertyJson(property));
     json["types"].push_back({{"type", object.type}, {"properties", properties}});
   }

@@ -80,7 +80,7 @@ void loadTextures(const TextSource& source, Draft& draft, Diagnostics& diagnosti
     diagnostics.warning(draft.environmentOffset,
                         fmt::format("the background is seen where rays meet nothing and lights no "
                                     "surface: integrator \"{}\" takes light from points only",
-                                    integratorName(draft.scene.integrator)));
+                                    draft.scene.integrator.row->name));
   }
   files.read();
 }

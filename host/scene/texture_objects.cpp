@@ -32,6 +32,33 @@ void addEnvironment(const Properties& given, std::string_view parent,
 
 }  // namespace
 
+const std::vector<PropertyRow> kChecker = {
+    {.name = "color1", .type = PropertyType::Color, .start = Texture{}.colors[0]},
+    {.name = "color2", .type = PropertyType::Color, .start = Texture{}.colors[1]},
+    {.name = "scalex", .type = PropertyType::Float, .start = Texture{}.scale.x},
+    {.name = "scaley", .type = PropertyType::Float, .start = Texture{}.scale.y},
+    {.name = "offsetx", .type = PropertyType::Float, .start = Texture{}.offset.x},
+    {.name = "offsety", .type = PropertyType::Float, .start = Texture{}.offset.y}};
+
+const std::vector<PropertyRow> kTextmap = {
+    {.name = "filename", .type = PropertyType::String, .required = true},
+    {.name = "color", .type = PropertyType::Color, .start = glm::dvec3(1.0)},
+    {.name = "raw", .type = PropertyType::Boolean, .start = Texture{}.raw},
+    {.name = "scalex", .type = PropertyType::Float, .start = Texture{}.scale.x},
+    {.name = "scaley", .type = PropertyType::Float, .start = Texture{}.scale.y},
+    {.name = "offsetx", .type = PropertyType::Float, .start = Texture{}.offset.x},
+    {.name = "offsety", .type = PropertyType::Float, .start = Texture{}.offset.y}};
+
+const std::vector<PropertyRow> kEnvironment = {
+    {.name = "filename", .type = PropertyType::String},
+    {.name = "radiance", .type = PropertyType::Color, .start = Environment{}.radiance},
+    {.name = "scale", .type = PropertyType::Float, .start = 1.0},
+    {.name = "raw", .type = PropertyType::Boolean, .start = Environment{}.raw},
+    {.name = "toWorld", .type = PropertyType::Transform, .start = Environment{}.toWorld}};
+
+const std::vector<PropertyRow> kConstant = {
+    {.name = "radiance", .type = PropertyType::Color, .start = Environment{}.radiance}};
+
 void buildChecker(const Properties& given, std::string_view, Draft& draft) {
   Texture texture;
   texture.colors = {given.triple("color1"), given.triple("color2")};

@@ -1,20 +1,13 @@
 #pragma once
-#include <cstdint>
-#include <glm/glm.hpp>
 #include <string>
 #include <string_view>
-#include <variant>
+
+#include "scene/property.h"
 
 namespace laver::xml {
 
-/// The property tags of a scene file.
-enum class PropertyType { String, Boolean, Float, Integer, Vector, Point, Color, Transform };
-
 /// The tag of a type, as in the file.
 const char* tagOf(PropertyType type);
-
-/// A property's value; vectors, points and colours are three numbers.
-using Value = std::variant<std::string, bool, double, std::int64_t, glm::dvec3, glm::dmat4>;
 
 /// Reads a value of any type but Transform. Returns what is wrong with the text, for a message such
 /// as `property "fov": "abc" is not a number`; empty if nothing is.

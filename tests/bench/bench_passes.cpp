@@ -26,7 +26,7 @@ struct Side {
 
 struct Setup {
   std::string name;
-  Integrator integrator;
+  const IntegratorRow* integrator;
   std::uint32_t samples;
   unsigned threads;
   bool everyCall;  ///< all of Embree's forms, else those that the figures name
@@ -74,7 +74,7 @@ double differing(const Image& laver, const std::vector<float>& sums, std::size_t
 /// Returns how many times laver's speed is that of each side, every ray traced by both.
 std::map<std::string, double> comparePasses(Report& report, const EmbreeScenes& embree, Scene scene,
                                             const Setup& setup, const Rounds& rounds) {
-  scene.integrator = setup.integrator;
+  scene.integrator = {setup.integrator};
   scene.sampler.sampleCount = setup.samples;
   const auto pixels = static_cast<std::uint64_t>(scene.camera.width) *
                       static_cast<std::uint64_t>(scene.camera.height);
@@ -83,7 +83,7 @@ std::map<std::string, double> comparePasses(Report& report, const EmbreeScenes& 
   EmbreePass::Result result;
   // A scene without lights is black: its samples are made and stored, and no ray is traced.
   Scene unlit = scene;
-  unlit.integrator = Integrator::DirectWhitted;
+  unlit.integrator = {&integrators::directWhitted};
   unlit.lights.clear();
   std::vector<double> seconds, rendered, alone;
   LaverRender laver, asRendered;
@@ -111,7 +111,7 @@ std::map<std::string, double> comparePasses(Report& report, const EmbreeScenes& 
     side.outside = median(outside);
   }
 
-  const bool shadows = setup.integrator == Integrator::DirectWhitted;
+  const bool shadows = setup.integrator == &integrators::directWhitted;
   const auto rays = static_cast<double>(pixels * setup.samples + result.shadowRays);
   report.section(
       fmt::format("Whole pass: {}, {} sample{}, {}, {} thread{}", setup.name, setup.samples,
@@ -141,33 +141,34 @@ std::map<std::string, double> comparePasses(Report& report, const EmbreeScenes& 
 }  // namespace
 
 void benchPasses(Report& report, const EmbreeDevices& devices, const Rounds& rounds) {
-  using enum Integrator;
+  const IntegratorRow *const depth = &integrators::depth, *const whitted =
+                                                              &integrators::directWhitted;
   struct View {
     std::string scene;
     int subdivided;
     std::vector<Setup> setups;
   };
   const std::vector<View> views = {
-      {"torus", 0, {{"torus", Depth, 1, 2, false}, {"torus", DirectWhitted, 1, 2, false}}},
+      {"torus", 0, {{"torus", depth, 1, 2, false}, {"torus", whitted, 1, 2, false}}},
       {"bunny",
        0,
-       {{"bunny", Depth, 1, 2, true},
-        {"bunny", DirectWhitted, 1, 2, true},
-        {"bunny", Depth, 1, 1, false},
-        {"bunny", DirectWhitted, 1, 1, false},
-        {"bunny", Depth, 16, 2, false},
-        {"bunny", DirectWhitted, 16, 2, false}}},
+       {{"bunny", depth, 1, 2, true},
+        {"bunny", whitted, 1, 2, true},
+        {"bunny", depth, 1, 1, false},
+        {"bunny", whitted, 1, 1, false},
+        {"bunny", depth, 16, 2, false},
+        {"bunny", whitted, 16, 2, false}}},
       {"bunny-close",
        0,
-       {{"bunny-close", Depth, 1, 2, false},
-        {"bunny-close", DirectWhitted, 1, 2, false},
-        {"bunny-close", DirectWhitted, 16, 2, false}}},
+       {{"bunny-close", depth, 1, 2, false},
+        {"bunny-close", whitted, 1, 2, false},
+        {"bunny-close", whitted, 16, 2, false}}},
       {"bunny",
        2,
-       {{"bunny x16", Depth, 1, 2, false},
-        {"bunny x16", DirectWhitted, 1, 2, false},
-        {"bunny x16", DirectWhitted, 16, 2, false}}},
-      {"bunny-close", 2, {{"bunny-close x16", DirectWhitted, 1, 2, false}}},
+       {{"bunny x16", depth, 1, 2, false},
+        {"bunny x16", whitted, 1, 2, false},
+        {"bunny x16", whitted, 16, 2, false}}},
+      {"bunny-close", 2, {{"bunny-close x16", whitted, 1, 2, false}}},
   };
   std::map<std::string, std::map<std::string, double>> ratios;
   for (const View& view : views) {
@@ -175,7 +176,7 @@ void benchPasses(Report& report, const EmbreeDevices& devices, const Rounds& rou
     const EmbreeScenes embree(devices, scene);
     for (const Setup& setup : view.setups)
       ratios[fmt::format("{} {} {} {}", setup.name, setup.samples,
-                         setup.integrator == Depth ? "primary" : "shadow", setup.threads)] =
+                         setup.integrator == depth ? "primary" : "shadow", setup.threads)] =
           comparePasses(report, embree, scene, setup, rounds);
   }
   // Embree's packets hold 4 x 4 pixels; at 16 samples they can hold those of one pixel instead.

@@ -158,7 +158,7 @@ void benchRays(Report& report, const EmbreeDevices& devices, const Rounds& round
   const Device device(choosePhysicalDevice(instance, "cpu"));
   for (const auto& [name, subdivided] : {std::pair("bunny", 0), std::pair("bunny", 2)}) {
     Scene scene = benchScene(name, subdivided);
-    scene.integrator = Integrator::DirectWhitted;
+    scene.integrator = {&integrators::directWhitted};
     scene.sampler.sampleCount = 1;
     const SceneData data = packScene(scene, {}, specialise(scene, {}));
     const EmbreeScenes embree(devices, scene);

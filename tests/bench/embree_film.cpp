@@ -44,10 +44,10 @@ void LaneFilter::weights(const float (&inside)[16], float (*to)[16]) const {
     for (int i = 0; i < 16; ++i) {
       const float x = std::abs(inside[i] - centre);
       float w = 1.0F;
-      if (filter_.kind == Filter::Kind::Gaussian)
+      if (filter_.row == &filters::gaussian)
         w = std::max(0.0F, expOf(std::max(alpha * x * x, -87.0F)) - end);
-      if (filter_.kind == Filter::Kind::Tent) w = std::max(0.0F, 1.0F - x / radius);
-      if (filter_.kind == Filter::Kind::Mitchell) {
+      if (filter_.row == &filters::tent) w = std::max(0.0F, 1.0F - x / radius);
+      if (filter_.row == &filters::mitchell) {
         const float s = 2.0F * x / radius, y = 2.0F - s;
         const float inner =
             ((12.0F - 9.0F * B - 6.0F * C) * s + (-18.0F + 12.0F * B + 6.0F * C)) * s * s +

@@ -36,7 +36,7 @@ SceneData pack(const Scene& scene) {
   packSampler(scene, data);
   if (!scene.meshes.empty())
     data.params.albedo = glm::vec4(glm::vec3(scene.meshes.front().bsdf.albedo), 0.0F);
-  if (scene.integrator == Integrator::DirectWhitted)
+  if (scene.integrator.is(integrators::directWhitted))
     for (const PointLight& light : scene.lights)
       data.lights.push_back({glm::vec3(data.space.apply(light.position)), 0.0F,
                              glm::vec3(light.radiance * (data.space.scale * data.space.scale)),
@@ -56,19 +56,18 @@ void render(const Command& command) {
   SceneOverrides overrides;
   if (command.samples != 0) overrides.sampleCount = command.samples;
   if (!command.filter.empty()) {
-    const auto filter = filterFromName(command.filter);
-    if (!filter) throw Error(ExitCode::Usage, "no filter " + command.filter);
-    overrides.filter = filter->kind;
+    overrides.filter = rowCalled(filterRows(), command.filter);
+    if (overrides.filter == nullptr) throw Error(ExitCode::Usage, "no filter " + command.filter);
   }
   if (!command.sampler.empty()) {
-    overrides.sampler = samplerFromName(command.sampler);
-    if (!overrides.sampler) throw Error(ExitCode::Usage, "no sampler " + command.sampler);
+    overrides.sampler = rowCalled(samplerRows(), command.sampler);
+    if (overrides.sampler == nullptr) throw Error(ExitCode::Usage, "no sampler " + command.sampler);
   }
   int width = 0, height = 0;
   if (std::sscanf(command.size.c_str(), "%dx%d", &width, &height) == 2)
     overrides.size = glm::ivec2(width, height);
   const Scene scene = loadScene(command.scene, overrides).scene;
-  if (scene.integrator == Integrator::Normals)
+  if (scene.integrator.is(integrators::normals))
     throw Error(ExitCode::Scene, "Embree's side renders depth and direct_whitted");
   const unsigned threads = threadCount(command.threads);
   const EmbreeDevice device("threads=" + std::to_string(threads) +

@@ -20,9 +20,9 @@ class EmbreePictures : public CommandLine {
   }
 };
 
-Scene sampledBy(const std::string& name, Sampler::Kind sampler, std::uint32_t samples) {
+Scene sampledBy(const std::string& name, const SamplerRow* sampler, std::uint32_t samples) {
   Scene scene = smallScene(name, 64, samples);
-  scene.sampler.kind = sampler;
+  scene.sampler.row = sampler;
   return scene;
 }
 
@@ -35,7 +35,7 @@ TEST_F(EmbreePictures, ShowTheReferencesSamplesOfEverySampler) {
         SCOPED_TRACE(std::string(name) + ", " + sampler + ", " + std::to_string(samples));
         const Image picture =
             embree(name, std::string("--sampler ") + sampler + " --spp " + std::to_string(samples));
-        const Scene scene = sampledBy(name, *samplerFromName(sampler), samples);
+        const Scene scene = sampledBy(name, rowCalled(samplerRows(), sampler), samples);
         const Reference reference(scene);
         const Image truth = reference.render();
         const chart::Mismatches found = chart::mismatchesOf(picture, truth, scene, reference, 0);
@@ -50,11 +50,11 @@ TEST_F(EmbreePictures, ShowTheReferencesSamplesOfEverySampler) {
 TEST_F(EmbreePictures, OtherSamplesAreSeen) {
   // The samples of one sampler are not those of another: what a broken one would look like.
   const Image picture = embree("cornell-two-lights.xml", "--sampler sobol --spp 16");
-  const auto errorTo = [&](Sampler::Kind sampler) {
+  const auto errorTo = [&](const SamplerRow* sampler) {
     const Scene scene = sampledBy("cornell-two-lights.xml", sampler, 16);
     return chart::errorsOf(picture, Reference(scene).render()).rmse;
   };
-  EXPECT_GT(errorTo(Sampler::Kind::Stratified), 100.0 * errorTo(Sampler::Kind::Sobol));
+  EXPECT_GT(errorTo(&samplers::stratified), 100.0 * errorTo(&samplers::sobol));
 }
 
 }  // namespace

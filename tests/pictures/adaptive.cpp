@@ -48,8 +48,8 @@ TEST(Adaptive, SameBitsForThreadsBandsPassesTraversalsAndKernels) {
 TEST(Adaptive, LaneAndPacketsAgreeOnEveryFilterAndAnOddFilm) {
   for (const char* name : {"cornell-two-lights.xml", "curved-normals.xml"}) {
     Scene scene = smallScene(name, 61, 32);
-    for (const auto& filter : {Filter{Filter::Kind::Box, 0.5, 0.0, 0.0, 0.0},
-                               Filter{Filter::Kind::Gaussian, 3.7, 1.1, 0.0, 0.0}}) {
+    for (const auto& filter : {Filter{&filters::box, 0.5, 0.0, 0.0, 0.0},
+                               Filter{&filters::gaussian, 3.7, 1.1, 0.0, 0.0}}) {
       scene.filter = filter;
       const Adaptive whole = renderTo(scene, adaptive());
       for (const char* traversal : kTraversals)
@@ -77,7 +77,7 @@ void expectCropsOf(const Scene& scene) {
 TEST(Adaptive, ACropIsCutOutOfTheFullPicture) {
   Scene scene = floorScene();
   expectCropsOf(scene);
-  scene.filter = {Filter::Kind::Gaussian, 4.5, 1.2, 0.0, 0.0};  // further than a cell
+  scene.filter = {&filters::gaussian, 4.5, 1.2, 0.0, 0.0};  // further than a cell
   expectCropsOf(scene);
 }
 

@@ -26,7 +26,7 @@ Scene specks(int side) {
       mesh.triangles.emplace_back(first, first + 1, first + 2);
       mesh.triangles.emplace_back(first, first + 2, first + 3);
     }
-  scene.filter = {Filter::Kind::Box, 0.5, 0.0, 0.0, 0.0};
+  scene.filter = {&filters::box, 0.5, 0.0, 0.0, 0.0};
   scene.sampler.sampleCount = 256;
   return scene;
 }
@@ -99,19 +99,19 @@ double rmse(const Image& a, const Image& b) {
 
 TEST(Adaptive, HalfOfSobolsRaysHaveTheErrorOf64IndependentOnes) {
   Scene scene = floorScene(192);
-  const auto errorOf = [&](Sampler::Kind kind, std::uint32_t samples, const Image& truth) {
+  const auto errorOf = [&](const SamplerRow* kind, std::uint32_t samples, const Image& truth) {
     scene.sampler = {samples, 0, kind};
     return rmse(render(scene), truth);
   };
-  scene.sampler = {512, 99, Sampler::Kind::Sobol};
+  scene.sampler = {512, 99, &samplers::sobol};
   const Image truth = render(scene);
-  scene.sampler = {4096, 0, Sampler::Kind::Sobol};
+  scene.sampler = {4096, 0, &samplers::sobol};
   const Adaptive ours = renderTo(scene, adaptive(0.0045));
-  const double wanted = errorOf(Sampler::Kind::Independent, 64, truth);
+  const double wanted = errorOf(&samplers::independent, 64, truth);
   EXPECT_LT(rmse(ours.image, truth), wanted);
   const double rays =
       ours.stats.average + static_cast<double>(ours.stats.pilotSamples) / (192.0 * 192.0);
-  EXPECT_GT(errorOf(Sampler::Kind::Sobol, static_cast<std::uint32_t>(2.0 * rays), truth), wanted);
+  EXPECT_GT(errorOf(&samplers::sobol, static_cast<std::uint32_t>(2.0 * rays), truth), wanted);
 }
 
 }  // namespace

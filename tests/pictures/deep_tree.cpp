@@ -18,7 +18,7 @@ Scene cone() {
     mesh.triangles.emplace_back(first, first + 1, first + 2);
   }
   Scene scene;
-  scene.integrator = Integrator::Depth;
+  scene.integrator = {&integrators::depth};
   scene.meshes = {mesh};
   scene.camera.width = scene.camera.height = 16;
   scene.camera.fov = 1e-6;

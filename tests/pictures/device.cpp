@@ -55,10 +55,10 @@ TEST(Device, AFlatFieldIsFlatWithEveryFilter) {
   scene.camera.width = 67;
   scene.camera.height = 45;
   scene.sampler.sampleCount = 3;
-  using Kind = Filter::Kind;
-  for (const Kind kind : {Kind::Gaussian, Kind::Mitchell, Kind::Tent, Kind::Box}) {
-    scene.filter.kind = kind;
-    scene.filter.radius = kind == Kind::Box ? 0.5 : kind == Kind::Tent ? 1.0 : 2.0;
+  for (const FilterRow* kind :
+       {&filters::gaussian, &filters::mitchell, &filters::tent, &filters::box}) {
+    scene.filter.row = kind;
+    scene.filter.radius = kind == &filters::box ? 0.5 : kind == &filters::tent ? 1.0 : 2.0;
     const Image image = render(scene);
     for (int y = 0; y < image.height; ++y)
       for (int x = 0; x < image.width; ++x) {
@@ -77,13 +77,13 @@ TEST(Device, APacketThatMeetsTooMuchIsTracedRayByRay) {
   scene.camera.fov = 0.5;
   scene.lights = {{glm::dvec3(0.0), glm::dvec3(1e6)}};
   Stats stats;
-  for (const Integrator shown : {Integrator::DirectWhitted, Integrator::Depth}) {
-    scene.integrator = shown;
+  for (const IntegratorRow* shown : {&integrators::directWhitted, &integrators::depth}) {
+    scene.integrator = {shown};
     stats = {};
     const Image image = Renderer(cpuDevice("packet64")).render(scene, {}, stats);
     EXPECT_EQ(stats.traversal, "lane");
     EXPECT_EQ(differingFloats(image, render(scene, cpuDevice("lane"))), 0U);
-    if (shown == Integrator::Depth) {
+    if (shown == &integrators::depth) {
       EXPECT_NEAR(image.at(4, 4, 0), 1.0F / 249.0F, 1e-5F);
     }
   }
@@ -97,12 +97,12 @@ TEST(Device, APacketThatMeetsTooMuchIsTracedRayByRay) {
 TEST(Device, NoHoleInAClosedMeshSeenFromInside) {
   // One sample a pixel, box filter: a ray that escapes leaves a black pixel.
   Scene scene;
-  scene.integrator = Integrator::Depth;
+  scene.integrator = {&integrators::depth};
   scene.meshes = {ball(60, 90, 0.05, glm::dvec3(0.0))};
   scene.camera.width = 1024;
   scene.camera.height = 768;
   scene.camera.fov = 120.0;
-  scene.filter = {Filter::Kind::Box, 0.5, 0.0, 0.0, 0.0};
+  scene.filter = {&filters::box, 0.5, 0.0, 0.0, 0.0};
   const Image image = render(scene);
   EXPECT_EQ(
       std::count_if(image.pixels.begin(), image.pixels.end(), [](float v) { return !(v > 0.5F); }),

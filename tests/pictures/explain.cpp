@@ -37,8 +37,8 @@ bool turnMatters(const Reference& reference, glm::dvec2 film, glm::dvec2 numbers
 
 bool nearDecision(const Scene& scene, const Reference& reference, double moved, int x, int y,
                   double tolerance) {
-  const bool draws = scene.integrator == Integrator::AverageVisibility ||
-                     scene.integrator == Integrator::AmbientOcclusion;
+  const bool draws = scene.integrator.is(integrators::averageVisibility) ||
+                     scene.integrator.is(integrators::ambientOcclusion);
   const int apron = static_cast<int>(apronOf(scene.filter.radius));
   for (int dy = -apron; dy <= apron; ++dy)
     for (int dx = -apron; dx <= apron; ++dx) {

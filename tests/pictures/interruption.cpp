@@ -228,7 +228,7 @@ TEST(Stop, LeavesVulkansBandsWholeOrPartOrBlack) {
 TEST(Stop, LeavesTheReferencesBandsWholeOrBlack) {
   // A film this wide has bands of 16 rows.
   Scene scene = smallScene("cornell-two-lights.xml", 64, 1);
-  scene.integrator = Integrator::Normals;
+  scene.integrator = {&integrators::normals};
   scene.camera.width = 16400;
   scene.camera.height = 18;
   const Reference reference(scene);

@@ -164,15 +164,15 @@ TEST(Layers, OfNothingAreEmpty) {
 TEST(Layers, LeaveThePicturesBits) {
   Scene scene = smallScene("mirrored-instances.xml", 96, 5);
   RenderOptions options = allLayers();
-  options.more = {Integrator::Depth, Integrator::Normals};
-  scene.integrator = Integrator::DirectWhitted;
+  options.more = {{&integrators::depth}, {&integrators::normals}};
+  scene.integrator = {&integrators::directWhitted};
   scene.lights.resize(9, scene.lights.at(0));  // more than a dispatch takes
   const Image image = render(scene, cpuDevice(), options);
   EXPECT_EQ(differingFloats(channelsOf(image, {"R", "G", "B"}), render(scene)), 0U);
-  scene.integrator = Integrator::Depth;
+  scene.integrator = {&integrators::depth};
   EXPECT_EQ(differingFloats(channelsOf(image, {"depth.R", "depth.G", "depth.B"}), render(scene)),
             0U);
-  scene.integrator = Integrator::Normals;
+  scene.integrator = {&integrators::normals};
   EXPECT_EQ(
       differingFloats(channelsOf(image, {"normals.R", "normals.G", "normals.B"}), render(scene)),
       0U);

@@ -6,9 +6,9 @@ namespace laver::test {
 namespace {
 
 /// From inside a bumpy ball, with a wide view: rays and directions of all kinds.
-Scene insideABall(Integrator integrator) {
+Scene insideABall(const IntegratorRow& integrator) {
   Scene scene;
-  scene.integrator = integrator;
+  scene.integrator = {&integrator};
   scene.meshes = {ball(60, 90, 0.05, glm::dvec3(0.1, 0.0, 0.0)),
                   ball(12, 20, 0.0, glm::dvec3(0.1, 0.0, 9.0))};
   for (glm::dvec3& p : scene.meshes[1].positions) p = 0.3 * (p - glm::dvec3(0.1, 0.0, 9.0));
@@ -28,23 +28,23 @@ double mean(const Image& image) {
 }
 
 TEST(Occlusion, EveryLengthEqualsTheReference) {
-  Scene scene = insideABall(Integrator::AverageVisibility);
+  Scene scene = insideABall(integrators::averageVisibility);
   double before = 1.0;
   for (const double length : {1e-30, 1e-6, 1e-3, 0.1, 0.7, 2.0, 1e30}) {
     SCOPED_TRACE(length);
-    scene.avLength = length;
+    scene.integrator.set("length", length);
     expectTraversalsMatch(scene, 1e-4);
     const double now = mean(render(scene));
     EXPECT_LE(now, before);
     before = now;
   }
   EXPECT_EQ(before, 0.0);  // nothing leaves the ball
-  scene.avLength = 1e-9;
+  scene.integrator.set("length", 1e-9);
   EXPECT_GT(mean(render(scene)), 0.999);
 }
 
 TEST(Occlusion, AmbientOcclusionInTheOpen) {
-  Scene scene = insideABall(Integrator::AmbientOcclusion);
+  Scene scene = insideABall(integrators::ambientOcclusion);
   scene.meshes.erase(scene.meshes.begin());
   scene.meshes.push_back(ball(12, 20, 0.2, glm::dvec3(1.0, 0.5, 0.4)));
   expectTraversalsMatch(scene, 1e-4);
@@ -60,7 +60,7 @@ TEST(Occlusion, LengthIsInSceneUnits) {
   for (int i = 0; i < 3; ++i) scene.camera.toWorld[3][i] *= k;
   scene.camera.nearClip *= k;
   scene.camera.farClip *= k;
-  scene.avLength *= k;
+  scene.integrator.set("length", k * scene.integrator.real("length"));
   EXPECT_EQ(differingFloats(image, render(scene)), 0U);
 }
 

@@ -10,11 +10,10 @@ namespace laver::test {
 namespace {
 
 using Keep = FilmState::Keep;
-using Kind = Sampler::Kind;
 
-Scene sceneOf(Kind kind, std::uint32_t samples) {
+Scene sceneOf(const SamplerRow* kind, std::uint32_t samples) {
   Scene scene = smallScene("cornell-two-lights.xml", 64, samples);
-  scene.sampler.kind = kind;
+  scene.sampler.row = kind;
   return scene;
 }
 
@@ -53,8 +52,9 @@ class Resume : public CommandLine {
 
 TEST_F(Resume, AfterAnInterruptionAnywhereByLaneAndPackets) {
   for (const auto& [traversal, kind] :
-       {std::pair("lane", Kind::Sobol), std::pair("packet64", Kind::Sobol),
-        std::pair("packet32", Kind::Stratified), std::pair("packet64", Kind::Independent)}) {
+       {std::pair("lane", &samplers::sobol), std::pair("packet64", &samplers::sobol),
+        std::pair("packet32", &samplers::stratified),
+        std::pair("packet64", &samplers::independent)}) {
     Renderer renderer(inPieces(traversal));
     const Scene scene = sceneOf(kind, 16);
     Stats stats;
@@ -63,7 +63,7 @@ TEST_F(Resume, AfterAnInterruptionAnywhereByLaneAndPackets) {
     for (const int passes : {0, 3, 4, 6, static_cast<int>(stats.passes) - 1})
       EXPECT_EQ(differingFloats(whole, inTwoGoes(renderer, scene, scene, passes, Keep::WhenEnded)),
                 0U)
-          << traversal << ' ' << samplerName(kind) << " after " << passes << " passes";
+          << traversal << ' ' << kind->name << " after " << passes << " passes";
     EXPECT_EQ(differingFloats(whole, inTwoGoes(renderer, scene, scene, 6, Keep::Always)), 0U);
   }
 }
@@ -72,12 +72,12 @@ TEST_F(Resume, SobolGoesOnBeyondTheCountItWasBegunWith) {
   for (const auto& [traversal, few] : {std::pair("lane", 16U), std::pair("packet64", 1U),
                                        std::pair("packet32", 10U), std::pair("packet64", 16U)}) {
     Renderer renderer(inPieces(traversal));
-    const Scene many = sceneOf(Kind::Sobol, 64);
+    const Scene many = sceneOf(&samplers::sobol, 64);
     Stats stats;
     const Image whole = renderer.render(many, {}, stats);
     for (const int passes : {3, 1000})
-      EXPECT_EQ(differingFloats(whole, inTwoGoes(renderer, sceneOf(Kind::Sobol, few), many, passes,
-                                                 Keep::Always)),
+      EXPECT_EQ(differingFloats(whole, inTwoGoes(renderer, sceneOf(&samplers::sobol, few), many,
+                                                 passes, Keep::Always)),
                 0U)
           << traversal << " from " << few << " after " << passes << " passes";
   }
@@ -85,11 +85,11 @@ TEST_F(Resume, SobolGoesOnBeyondTheCountItWasBegunWith) {
 
 TEST_F(Resume, IsTheSameInOneBand) {
   Renderer pieces(inPieces("packet")), one(cpuDevice());
-  const Scene scene = sceneOf(Kind::Sobol, 24);
+  const Scene scene = sceneOf(&samplers::sobol, 24);
   Stats stats;
   const Image whole = one.render(scene, {}, stats);
   FilmState state(Keep::Always);
-  pieces.render(sceneOf(Kind::Sobol, 16), stopAfter(7), state, stats);
+  pieces.render(sceneOf(&samplers::sobol, 16), stopAfter(7), state, stats);
   EXPECT_EQ(differingFloats(whole, one.render(scene, {}, state, stats)), 0U);
 }
 
@@ -98,8 +98,8 @@ TEST_F(Resume, AnEndedOneIsThePictureOfBothGoes) {
   Renderer renderer(inPieces("packet"));
   FilmState state(Keep::Always);
   Stats stats;
-  const Image before = renderer.render(sceneOf(Kind::Sobol, 16), {}, state, stats);
-  const Image after = renderer.render(sceneOf(Kind::Sobol, 64), stopAfter(13), state, stats);
+  const Image before = renderer.render(sceneOf(&samplers::sobol, 16), {}, state, stats);
+  const Image after = renderer.render(sceneOf(&samplers::sobol, 64), stopAfter(13), state, stats);
   EXPECT_EQ(stats.reached.rows, 64);
   EXPECT_GT(stats.reached.wholeRows, 0);
   EXPECT_EQ(stats.reached.samples, 16U);
@@ -164,7 +164,7 @@ TEST_F(Resume, WhatCannotGoOnIsRefusedInOneLine) {
 }
 
 TEST_F(Resume, AnotherSceneOrCountIsRefused) {
-  const Scene scene = sceneOf(Kind::Stratified, 16);
+  const Scene scene = sceneOf(&samplers::stratified, 16);
   Renderer renderer(inPieces("packet"));
   Stats stats;
   const auto reasonOf = [&](const Scene& first, const Scene& then, Keep keep) {
@@ -180,12 +180,12 @@ TEST_F(Resume, AnotherSceneOrCountIsRefused) {
     return std::string();
   };
   EXPECT_EQ(
-      reasonOf(scene, sceneOf(Kind::Stratified, 64), Keep::Always),
+      reasonOf(scene, sceneOf(&samplers::stratified, 64), Keep::Always),
       "begun with 16 samples a pixel, 64 are asked for: this sampler's samples depend on their "
       "count, those of sobol do not");
-  EXPECT_EQ(
-      reasonOf(sceneOf(Kind::Sobol, 16), sceneOf(Kind::Sobol, 64), Keep::WhenEnded).substr(0, 30),
-      "it was begun without --resume:");
+  EXPECT_EQ(reasonOf(sceneOf(&samplers::sobol, 16), sceneOf(&samplers::sobol, 64), Keep::WhenEnded)
+                .substr(0, 30),
+            "it was begun without --resume:");
   const char* const changed = "the scene or a file that it names has changed";
   Scene other = scene;
   other.meshes[0].positions[0].x += 1e-6;

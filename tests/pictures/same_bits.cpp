@@ -106,11 +106,11 @@ TEST(SameBits, TheWholeFilmOrASpeckInBandsAndCrops) {
   scene.meshes.resize(1);  // no floor
   scene.camera.fov = 60.0;
   // A reach of 5 pixels takes the slower gathering.
-  for (const auto& [kind, radius] : {std::pair(Filter::Kind::Gaussian, 5.0),
-                                     {Filter::Kind::Mitchell, 2.0},
-                                     {Filter::Kind::Tent, 1.0},
-                                     {Filter::Kind::Box, 0.5}}) {
-    scene.filter.kind = kind;
+  for (const auto& [kind, radius] : {std::pair(&filters::gaussian, 5.0),
+                                     {&filters::mitchell, 2.0},
+                                     {&filters::tent, 1.0},
+                                     {&filters::box, 0.5}}) {
+    scene.filter.row = kind;
     scene.filter.radius = radius;
     const Image image = render(scene, whole);
     for (const char* traversal : kTraversals) {
@@ -152,7 +152,7 @@ TEST(SameBits, LaneAndPacketsFromInsideAMeshWithAWideView) {
   // Rays of one packet fall into several groups of axis, sign and slope, and so do its shadow
   // rays: the light is inside too.
   Scene scene;
-  scene.integrator = Integrator::DirectWhitted;
+  scene.integrator = {&integrators::directWhitted};
   scene.meshes = {ball(60, 90, 0.05, glm::dvec3(0.1, 0.0, 0.0))};
   for (auto& t : scene.meshes[0].triangles) std::swap(t.x, t.y);  // seen from inside
   scene.camera.width = scene.camera.height = 64;

@@ -12,21 +12,21 @@ std::vector<Scene> scenes() {
   std::vector<Scene> all;
   // Vertex normals and albedos at once, a tent, strata.
   all.push_back(smallScene("curved-normals.xml", 35, 2));
-  all[0].integrator = Integrator::DirectWhitted;
-  all[0].sampler.kind = Sampler::Kind::Stratified;
+  all[0].integrator = {&integrators::directWhitted};
+  all[0].sampler.row = &samplers::stratified;
   all[0].meshes[0].bsdf.albedo = glm::dvec3(0.1, 0.5, 0.9);
   // Neither; no light; a box.
   all.push_back(smallScene("cornell-two-lights.xml", 35, 1));
   all[1].lights.clear();
-  all[1].filter.kind = Filter::Kind::Box;
+  all[1].filter.row = &filters::box;
   all[1].filter.radius = 0.5;
   // 34 triangles; Mitchell, Sobol.
   all.push_back(smallScene("cornell-two-lights.xml", 35, 2));
-  all[2].sampler.kind = Sampler::Kind::Sobol;
+  all[2].sampler.row = &samplers::sobol;
   // One albedo; a gaussian, independent samples.
   all.push_back(all[2]);
   all[3].filter = {};
-  all[3].sampler.kind = Sampler::Kind::Independent;
+  all[3].sampler.row = &samplers::independent;
   for (Mesh& mesh : all[3].meshes) mesh.bsdf.albedo = all[2].meshes[0].bsdf.albedo;
   // A checker and a background of one radiance: no picture.
   all.push_back(all[3]);
@@ -101,7 +101,7 @@ TEST(WithoutALight, ABackgroundIsSeenBesideTheMeshes) {
 TEST(WithoutALight, LayersShowWhatEachShowsAlone) {
   // The picture itself reads nothing; one layer reads normals, another materials and textures.
   Scene scene = smallScene("curved-normals.xml", 16, 2);
-  scene.integrator = Integrator::DirectWhitted;
+  scene.integrator = {&integrators::directWhitted};
   scene.lights.clear();
   scene.meshes.push_back(scene.meshes[0]);
   for (glm::dvec3& p : scene.meshes[1].positions) p += glm::dvec3(0.3, 0.0, 0.3);

@@ -87,7 +87,7 @@ TEST(ScenePlan, TellsWhatSamplerAdaptionAndDensityDecide) {
   EXPECT_EQ(line(plan, "side by side").decision, "64 samples of a pixel");
   scene.camera.width = scene.camera.height = 300;
   EXPECT_EQ(planScene(scene, {}, "", cpu()).figures["samplesSideBySide"], 16);
-  scene.sampler.kind = Sampler::Kind::Sobol;
+  scene.sampler.row = &samplers::sobol;
   RenderOptions options;
   options.error = 0.01;
   plan = planScene(scene, options, "", cpu());
@@ -98,7 +98,7 @@ TEST(ScenePlan, TellsWhatSamplerAdaptionAndDensityDecide) {
 
 TEST(ScenePlan, TellsOfTexturesBackgroundAndLayers) {
   Scene scene = smallScene("curved-normals.xml", 16, 1);
-  scene.integrator = Integrator::DirectWhitted;
+  scene.integrator = {&integrators::directWhitted};
   scene.lights.clear();
   scene.meshes[0].bsdf.texture = Texture();
   ScenePlan plan = planScene(scene, {}, "", cpu());

@@ -56,27 +56,27 @@ TEST(Scenes, NamesAreThere) { EXPECT_GE(sceneNames().size(), 7U); }
 
 TEST(Scenes, EveryFilterEqualsTheReferenceExactAndByNorisTable) {
   Scene scene = smallScene("cornell-two-lights.xml", 96, 3);
-  using Kind = Filter::Kind;
-  for (const Kind kind : {Kind::Gaussian, Kind::Mitchell, Kind::Tent, Kind::Box}) {
+  for (const FilterRow* kind :
+       {&filters::gaussian, &filters::mitchell, &filters::tent, &filters::box}) {
     scene.filter = {};
-    scene.filter.kind = kind;
-    if (kind == Kind::Tent) scene.filter.radius = 1.0;
-    if (kind == Kind::Box) scene.filter.radius = 0.5;
+    scene.filter.row = kind;
+    if (kind == &filters::tent) scene.filter.radius = 1.0;
+    if (kind == &filters::box) scene.filter.radius = 0.5;
     for (const bool compat : {false, true}) {
       SCOPED_TRACE(testing::Message()
                    << "filter " << static_cast<int>(kind) << " compat " << compat);
       expectMatch(scene, compat);
     }
   }
-  scene.filter = {Filter::Kind::Gaussian, 3.7, 1.1, 0.0, 0.0};
+  scene.filter = {&filters::gaussian, 3.7, 1.1, 0.0, 0.0};
   expectMatch(scene);
 }
 
 TEST(Scenes, EverySamplerEqualsTheReference) {
   Scene scene = smallScene("cornell-two-lights.xml", 96, 6);
-  for (const Sampler::Kind kind : {Sampler::Kind::Stratified, Sampler::Kind::Sobol}) {
-    SCOPED_TRACE(samplerName(kind));
-    scene.sampler.kind = kind;
+  for (const const SamplerRow* kind : {&samplers::stratified, &samplers::sobol}) {
+    SCOPED_TRACE(kind->name);
+    scene.sampler.row = kind;
     expectMatch(scene);
   }
 }

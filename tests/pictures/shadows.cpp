@@ -12,11 +12,11 @@ namespace {
 Scene litBall(double bump, double distance) {
   const glm::dvec3 centre(0.3, 0.2, 0.1);
   Scene scene;
-  scene.integrator = Integrator::DirectWhitted;
+  scene.integrator = {&integrators::directWhitted};
   scene.meshes = {ball(150, 300, bump, centre)};
   scene.camera.width = scene.camera.height = 300;
   scene.camera.toWorld[3] = glm::dvec4(0.3, 0.2, -5.0, 1.0);
-  scene.filter = {Filter::Kind::Box, 0.5, 0.0, 0.0, 0.0};
+  scene.filter = {&filters::box, 0.5, 0.0, 0.0, 0.0};
   PointLight light;
   light.position = centre + glm::normalize(glm::dvec3(1.0, 0.7, -0.6)) * distance;
   light.radiance = glm::dvec3(std::numbers::pi * distance * distance);

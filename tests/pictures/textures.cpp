@@ -145,7 +145,7 @@ TEST(Textures, CoordinatesOfAnySizeReadNothingBeyondThePicture) {
 
 Scene skyAlone(const dvec3& forward) {
   Scene scene;
-  scene.integrator = Integrator::DirectWhitted;
+  scene.integrator = {&integrators::directWhitted};
   const dvec3 side = glm::normalize(glm::cross(dvec3(0.3, 0.1, 1), forward));
   scene.camera.toWorld = glm::dmat4(glm::dvec4(side, 0), glm::dvec4(glm::cross(forward, side), 0),
                                     glm::dvec4(forward, 0), glm::dvec4(3, 4, 5, 1));
@@ -181,9 +181,9 @@ TEST(Backgrounds, PicturesAtTheSeamThePolesAndTurned) {
 }
 
 TEST(Backgrounds, NormalsAndDepthDoNotShowThem) {
-  for (const Integrator integrator : {Integrator::Normals, Integrator::Depth}) {
+  for (const IntegratorRow* integrator : {&integrators::normals, &integrators::depth}) {
     Scene scene = litSquare();
-    scene.integrator = integrator;
+    scene.integrator = {integrator};
     const Image without = render(scene);
     scene.environment = Environment();
     scene.meshes[0].bsdf.texture = Texture();
@@ -230,7 +230,7 @@ TEST(TextureData, WhatIsNotShownIsNotUploaded) {
   EXPECT_EQ(packed(), Sizes(256U + 64U + 96U, 6U));
   scene.lights.clear();
   EXPECT_EQ(packed(), Sizes(96U, 0U));
-  scene.integrator = Integrator::Normals;
+  scene.integrator = {&integrators::normals};
   EXPECT_EQ(packed(), Sizes(0U, 0U));
 }
 

@@ -47,7 +47,7 @@ TEST(Watcher, SeesTheFirstPictureOnlyAndACropFromItsTop) {
   const Scene scene = smallScene("cornell-two-lights.xml", 64, 4);
   Seen seen;
   RenderOptions options = seen.options();
-  options.more = {Integrator::Depth};
+  options.more = {{&integrators::depth}};
   options.layers = {Layer::Albedo, Layer::Depth};
   options.crop = Crop{10, 20, 40, 50};
   Stats stats;

@@ -18,7 +18,7 @@ namespace {
 /// heights, one sample a pixel.
 Scene floorUnder(double height) {
   Scene scene;
-  scene.integrator = Integrator::DirectWhitted;
+  scene.integrator = {&integrators::directWhitted};
   scene.meshes = {gridMesh(4, [](double x, double y) { return glm::dvec3(x, y, 0.0); })};
   scene.camera.width = scene.camera.height = 64;
   // Looks along -z from a little aside.
@@ -26,7 +26,7 @@ Scene floorUnder(double height) {
   const double span = std::clamp(8.0 * std::abs(height), 1e-6, 0.9);
   scene.camera.toWorld[3] = glm::dvec4(0.1 * span, 0.05 * span, 2.0, 1.0);
   scene.camera.fov = 2.0 * std::atan(0.5 * span) * 180.0 / std::numbers::pi;
-  scene.filter = {Filter::Kind::Box, 0.5, 0.0, 0.0, 0.0};
+  scene.filter = {&filters::box, 0.5, 0.0, 0.0, 0.0};
   scene.lights = {{glm::dvec3(0.0, 0.0, height), glm::dvec3(1.0)}};
   return scene;
 }

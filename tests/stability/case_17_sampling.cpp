@@ -14,14 +14,14 @@ namespace {
 
 /// Half-plane x < 0.2 y of the plane z = 0, seen along z by box filter; |n| is 1 there.
 constexpr double kSlope = 0.2;
-Scene edge(Sampler::Kind sampler, std::uint32_t samples) {
+Scene edge(const SamplerRow* sampler, std::uint32_t samples) {
   Scene scene;
   scene.meshes = {gridMesh(
       1, [](double x, double y) { return glm::dvec3(4 * x - 4 + kSlope * 9 * y, 9 * y, 0.0); })};
   scene.camera.toWorld = glm::dmat4(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 4, 1);
   scene.camera.width = scene.camera.height = 64;
   scene.sampler = {samples, 0, sampler};
-  scene.filter = {Filter::Kind::Box, 0.5, 0.0, 0.0, 0.0};
+  scene.filter = {&filters::box, 0.5, 0.0, 0.0, 0.0};
   return scene;
 }
 
@@ -40,7 +40,7 @@ double coverage(const Camera& camera, int x, int y) {
   return sum / kRows;
 }
 
-double edgeError(Sampler::Kind sampler, std::uint32_t samples) {
+double edgeError(const SamplerRow* sampler, std::uint32_t samples) {
   const Scene scene = edge(sampler, samples);
   VulkanOptions vulkan;
   vulkan.device = testDevice();
@@ -59,7 +59,7 @@ double edgeError(Sampler::Kind sampler, std::uint32_t samples) {
 }
 
 struct Theory {
-  Sampler::Kind kind;
+  const SamplerRow* kind;
   double slope;
   const char* text;
   double errorOf16;
@@ -67,9 +67,9 @@ struct Theory {
 /// Uniform points leave the variance of a coin in all n of them; of n cells of area 1/n an edge
 /// cuts some sqrt(n), and only those err: n^-1/2 n^-1/4. Of 4 x 4 strata this edge cuts some 4.8,
 /// each with a variance of 1/6 / 16^2: 0.056. The nets of Sobol are strata of every shape at once.
-constexpr std::array kTheories = {Theory{Sampler::Kind::Independent, -0.5, "-1/2", 0.084},
-                                  Theory{Sampler::Kind::Stratified, -0.75, "-3/4", 0.056},
-                                  Theory{Sampler::Kind::Sobol, -0.75, "-3/4", 0.037}};
+constexpr std::array kTheories = {Theory{&samplers::independent, -0.5, "-1/2", 0.084},
+                                  Theory{&samplers::stratified, -0.75, "-3/4", 0.056},
+                                  Theory{&samplers::sobol, -0.75, "-3/4", 0.037}};
 
 LAVER_STABILITY(17, Sampling, "Sampler slopes at an edge") {
   const std::uint32_t few = 16, many = full ? 4096 : 1024;
@@ -79,10 +79,9 @@ LAVER_STABILITY(17, Sampling, "Sampler slopes at an edge") {
     const double slope = std::log(edgeError(theory.kind, many) / errorOfFew) / std::log(many / few);
     std::optional<double> naive;
     if (plain) naive = std::abs(*plain - theory.slope);
-    record.add(
-        {fmt::format("{}: slope {:.2f}, theory {}", samplerName(theory.kind), slope, theory.text),
-         "renderer", many, naive, std::abs(slope - theory.slope), 0.1, "off theory"});
-    EXPECT_NEAR(errorOfFew, theory.errorOf16, 0.25 * theory.errorOf16) << samplerName(theory.kind);
+    record.add({fmt::format("{}: slope {:.2f}, theory {}", theory.kind->name, slope, theory.text),
+                "renderer", many, naive, std::abs(slope - theory.slope), 0.1, "off theory"});
+    EXPECT_NEAR(errorOfFew, theory.errorOf16, 0.25 * theory.errorOf16) << theory.kind->name;
     if (!plain) plain = slope;
   }
 }

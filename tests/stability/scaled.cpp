@@ -17,7 +17,7 @@ Scene scaled(Scene scene, double factor) {
 }
 
 void undoScale(const Scene& scene, double factor, Image& image) {
-  if (scene.integrator != Integrator::Depth) return;
+  if (!scene.integrator.is(integrators::depth)) return;
   for (float& value : image.pixels) value = static_cast<float>(static_cast<double>(value) * factor);
 }
 

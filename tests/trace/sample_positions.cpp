@@ -16,8 +16,6 @@ std::span<const std::uint32_t> traceSpirvOf(const std::string& kernel);
 namespace test {
 namespace {
 
-using Kind = Sampler::Kind;
-
 /// Film positions and apertures of samples first .. first + count - 1 of the pixels of `region` (x,
 /// y, width, height), as tests/trace/sample_positions.comp lists them.
 std::vector<glm::vec4> devicePositions(const Device& device, const Scene& scene, glm::uvec4 region,
@@ -60,7 +58,7 @@ std::vector<glm::vec4> devicePositions(const Device& device, const Scene& scene,
 }
 
 struct Film {
-  Kind kind;
+  const SamplerRow* kind;
   std::uint32_t samples;
   std::int64_t seed;
   int width, height;
@@ -96,7 +94,7 @@ TEST_P(SamplePositions, OfTheDeviceAreTheReferences) {
         // `independent` may be rounded up to the next pixel's border.
         ASSERT_GE(positions[n].x, static_cast<float>(pixel.x));
         ASSERT_LE(positions[n].x - static_cast<float>(pixel.x), 1.0F);
-        if (film.kind == Kind::Independent) continue;
+        if (film.kind == &samplers::independent) continue;
         ASSERT_GT(positions[n].y, static_cast<float>(pixel.y));
         ASSERT_LT(positions[n].x, static_cast<float>(pixel.x + 1));
         ASSERT_LT(positions[n].y, static_cast<float>(pixel.y + 1));
@@ -105,7 +103,7 @@ TEST_P(SamplePositions, OfTheDeviceAreTheReferences) {
 
 std::vector<Film> films() {
   std::vector<Film> list;
-  for (const Kind kind : {Kind::Independent, Kind::Stratified, Kind::Sobol}) {
+  for (const SamplerRow* kind : {&samplers::independent, &samplers::stratified, &samplers::sobol}) {
     list.push_back({kind, 1, 0, 1, 1, {0, 0, 1, 1}, 0});
     list.push_back({kind, 16, 0, 70, 45, {0, 0, 70, 45}, 0});
     list.push_back({kind, 7, -5, 70, 45, {31, 30, 39, 15}, 0});

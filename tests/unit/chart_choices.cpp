@@ -19,7 +19,7 @@ bool has(const std::vector<std::string>& list, const std::string& option,
 
 TEST(ChartChoices, EverySamplerMeetsEveryFilterOnce) {
   Scene scene;
-  scene.filter = *filterFromName("mitchell");
+  scene.filter = filterOf(filters::mitchell);
   const auto choices = choicesFor(scene, {{"embree", "file"}}, {"lane", "packet64"}, 64);
   std::set<std::tuple<std::string, std::uint32_t, double>> seen;
   std::set<std::string> series;
@@ -29,7 +29,7 @@ TEST(ChartChoices, EverySamplerMeetsEveryFilterOnce) {
         << nameOf(choice.series);
     series.insert(nameOf(choice.series));
     const auto arguments = choice.arguments();
-    EXPECT_TRUE(has(arguments, "--filter", filterName(choice.series.filter)));
+    EXPECT_TRUE(has(arguments, "--filter", choice.series.filter->name));
     EXPECT_TRUE(has(arguments, "--sampler", choice.series.sampler));
     const auto most = choice.series.adaptive ? choice.most : choice.samples;
     EXPECT_TRUE(has(arguments, "--spp", std::to_string(most)));
@@ -60,7 +60,7 @@ TEST(ChartChoices, TheTraversalTakenUnaskedIsNotChartedTwice) {
 
 TEST(ChartChoices, EachProgramsRenderOfAPictureIsMeasuredBesideLavers) {
   Scene scene;
-  scene.filter = *filterFromName("mitchell");
+  scene.filter = filterOf(filters::mitchell);
   const auto choices = choicesFor(scene, {{"embree", "file"}, {"old", "file"}}, {"lane"}, 64);
   std::set<std::size_t> seen;
   std::size_t together = 0;
@@ -83,16 +83,16 @@ TEST(ChartChoices, EachProgramsRenderOfAPictureIsMeasuredBesideLavers) {
 
 TEST(ChartChoices, TheScenesOwnFilterComesFirstAndKeepsItsNumbers) {
   Scene scene;
-  scene.filter = {Filter::Kind::Gaussian, 3.0, 0.7, 0.0, 0.0};
+  scene.filter = {&filters::gaussian, 3.0, 0.7, 0.0, 0.0};
   const auto filters = filtersFor(scene);
   ASSERT_EQ(filters.size(), 4U);
   EXPECT_EQ(filters[0].stddev, 0.7);
-  EXPECT_EQ(filters[1].kind, Filter::Kind::Box);
+  EXPECT_EQ(filters[1].row, &filters::box);
   EXPECT_EQ(filters[1].radius, 0.5);
 }
 
 TEST(ChartChoices, AdaptiveOnesAreAskedByTheirError) {
-  const Choice choice{{"laver", "sobol", Filter::Kind::Box, "", true}, 0, 0.005, 32};
+  const Choice choice{{"laver", "sobol", &filters::box, "", true}, 0, 0.005, 32};
   EXPECT_TRUE(has(choice.arguments(), "--error", "0.005"));
   EXPECT_TRUE(has(choice.arguments(), "--spp", "32"));
   EXPECT_EQ(nameOf(choice.series), "sobol adaptive, box");

@@ -92,7 +92,7 @@ class ChartTruth : public testing::Test {
                              "</camera>" +
                              scene_test::mesh())))
             .scene;
-    filters_ = {*filterFromName("box"), *filterFromName("gaussian")};
+    filters_ = {filterOf(filters::box), filterOf(filters::gaussian)};
   }
   std::vector<Truth> make(const std::function<bool()>& stop = {}, std::uint32_t samples = 60) {
     TruthOptions options;

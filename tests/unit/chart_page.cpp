@@ -18,13 +18,13 @@ Chart someChart() {
   chart.date = "2026-01-02";
   chart.width = chart.height = 10;
   chart.truthSamples = 64;
-  chart.filters = {*filterFromName("gaussian"), *filterFromName("box")};
+  chart.filters = {filterOf(filters::gaussian), filterOf(filters::box)};
   chart.truths = {{{}, 0.001, 1e-6}, {{}, 0.002, 2e-6}};
   chart.floatFloor = 1e-6;
   for (const char* filter : {"gaussian", "box"})
     for (const int samples : {1, 4, 16}) {
       Point p;
-      p.filter = filterFromName(filter)->kind;
+      p.filter = rowCalled(filterRows(), filter);
       p.program = "laver";
       p.sampler = "independent";
       p.series = std::string("independent, ") + filter;
@@ -38,7 +38,7 @@ Chart someChart() {
     }
   Point peer;
   peer.program = peer.series = "other, \"quoted\" <peer>";
-  peer.filter = Filter::Kind::Gaussian;
+  peer.filter = &filters::gaussian;
   peer.passSeconds = peer.processSeconds = {0.5};
   peer.errors = {0.05, 0.002};
   peer.thumbnail = peer.errorMap = "data:image/png;base64,AAAA";

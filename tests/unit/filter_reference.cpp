@@ -7,9 +7,9 @@
 namespace laver::reference {
 namespace {
 
-Filter filterOf(Filter::Kind kind, double radius) {
+Filter filterOf(const FilterRow* kind, double radius) {
   Filter filter;
-  filter.kind = kind;
+  filter.row = kind;
   filter.radius = radius;
   return filter;
 }
@@ -24,13 +24,13 @@ TEST(ReferenceFilter, Gaussian) {
 }
 
 TEST(ReferenceFilter, GaussianOfAnotherWidth) {
-  Filter filter = filterOf(Filter::Kind::Gaussian, 3.0);
+  Filter filter = filterOf(&filters::gaussian, 3.0);
   filter.stddev = 1.0;
   EXPECT_NEAR(FilterWeights(filter, false)(2.0), std::exp(-2.0) - std::exp(-4.5), 1e-15);
 }
 
 TEST(ReferenceFilter, Mitchell) {
-  const FilterWeights weights(filterOf(Filter::Kind::Mitchell, 2.0), false);
+  const FilterWeights weights(filterOf(&filters::mitchell, 2.0), false);
   EXPECT_NEAR(weights(0.0), 8.0 / 9.0, 1e-15);
   EXPECT_NEAR(weights(1.0), 1.0 / 18.0, 1e-15);
   EXPECT_NEAR(weights(1.5), -5.0 / 144.0, 1e-15);
@@ -41,12 +41,12 @@ TEST(ReferenceFilter, Mitchell) {
 }
 
 TEST(ReferenceFilter, MitchellStretchesOverTheRadius) {
-  const FilterWeights weights(filterOf(Filter::Kind::Mitchell, 4.0), false);
+  const FilterWeights weights(filterOf(&filters::mitchell, 4.0), false);
   EXPECT_NEAR(weights(2.0), 1.0 / 18.0, 1e-15);
 }
 
 TEST(ReferenceFilter, MitchellParameters) {
-  Filter filter = filterOf(Filter::Kind::Mitchell, 2.0);
+  Filter filter = filterOf(&filters::mitchell, 2.0);
   filter.B = 0.0;  // Catmull-Rom: 1 at 0, 0 at 1
   filter.C = 0.5;
   const FilterWeights weights(filter, false);
@@ -56,14 +56,14 @@ TEST(ReferenceFilter, MitchellParameters) {
 }
 
 TEST(ReferenceFilter, Tent) {
-  const FilterWeights weights(filterOf(Filter::Kind::Tent, 2.0), false);
+  const FilterWeights weights(filterOf(&filters::tent, 2.0), false);
   EXPECT_EQ(weights(0.0), 1.0);
   EXPECT_EQ(weights(-0.5), 0.75);
   EXPECT_EQ(weights(2.0), 0.0);
 }
 
 TEST(ReferenceFilter, BoxHoldsItsBorder) {
-  const FilterWeights weights(filterOf(Filter::Kind::Box, 0.5), false);
+  const FilterWeights weights(filterOf(&filters::box, 0.5), false);
   EXPECT_EQ(weights(0.0), 1.0);
   EXPECT_EQ(weights(0.5), 1.0);
   EXPECT_EQ(weights(-0.5), 1.0);
@@ -71,10 +71,10 @@ TEST(ReferenceFilter, BoxHoldsItsBorder) {
 }
 
 TEST(ReferenceFilter, ReachCoversEverySampleWithinTheRadius) {
-  EXPECT_EQ(FilterWeights(filterOf(Filter::Kind::Gaussian, 2.0), false).reach(), 2);
-  EXPECT_EQ(FilterWeights(filterOf(Filter::Kind::Tent, 1.0), false).reach(), 1);
-  EXPECT_EQ(FilterWeights(filterOf(Filter::Kind::Box, 0.5), false).reach(), 1);
-  EXPECT_EQ(FilterWeights(filterOf(Filter::Kind::Gaussian, 2.5), false).reach(), 3);
+  EXPECT_EQ(FilterWeights(filterOf(&filters::gaussian, 2.0), false).reach(), 2);
+  EXPECT_EQ(FilterWeights(filterOf(&filters::tent, 1.0), false).reach(), 1);
+  EXPECT_EQ(FilterWeights(filterOf(&filters::box, 0.5), false).reach(), 1);
+  EXPECT_EQ(FilterWeights(filterOf(&filters::gaussian, 2.5), false).reach(), 3);
 }
 
 TEST(ReferenceFilter, TableFloors) {
@@ -95,7 +95,7 @@ TEST(ReferenceFilter, TableIndexIsComputedInFloat) {
 }
 
 TEST(ReferenceFilter, LastEntryOfTheTableIsZero) {
-  const FilterWeights table(filterOf(Filter::Kind::Box, 0.5), true);
+  const FilterWeights table(filterOf(&filters::box, 0.5), true);
   EXPECT_EQ(table(0.5), 0.0);
   EXPECT_EQ(table(0.499), 1.0);
 }

@@ -36,7 +36,7 @@ TEST_P(Sees, EveryPointOfRandomTrianglesThroughRandomCameras) {
   std::size_t seen = 0;
   for (int round = 0; round < 200; ++round) {
     Scene scene;
-    scene.integrator = Integrator::Normals;
+    scene.integrator = {&integrators::normals};
     // Few triangles at some distance, or many that the camera stands among.
     Mesh& mesh = scene.meshes.emplace_back();
     const double size = std::pow(10.0, -2.0 * unit(random));

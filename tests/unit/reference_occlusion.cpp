@@ -11,9 +11,9 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 /// A floor with a square plate of half-width 1 over its origin, seen from between the two.
-Scene underPlate(Integrator integrator, double height) {
+Scene underPlate(const IntegratorRow& integrator, double height) {
   Scene scene;
-  scene.integrator = integrator;
+  scene.integrator = {&integrator};
   scene.meshes = {test::square(3, 0), test::square(1, height)};
   scene.camera = test::downCamera({0.2, 0, 0.5 * height}, 60, 64);
   return scene;
@@ -38,7 +38,7 @@ constexpr double kTolerance = 2e-3;
 TEST(ReferenceOcclusion, AverageVisibilityIsTheShareOfTheSolidAngle) {
   for (const double h : {0.3, 1.0, 2.0}) {
     const double angle = 4 * std::atan(1 / (h * std::sqrt(2 + h * h)));
-    EXPECT_NEAR(meanAt(underPlate(Integrator::AverageVisibility, h)), 1 - angle / (2 * pi),
+    EXPECT_NEAR(meanAt(underPlate(integrators::averageVisibility, h)), 1 - angle / (2 * pi),
                 kTolerance);
   }
 }
@@ -46,23 +46,23 @@ TEST(ReferenceOcclusion, AverageVisibilityIsTheShareOfTheSolidAngle) {
 TEST(ReferenceOcclusion, AmbientOcclusionIsTheFormFactor) {
   for (const double h : {0.3, 1.0, 2.0}) {
     const double a = 1 / std::sqrt(1 + h * h);
-    EXPECT_NEAR(meanAt(underPlate(Integrator::AmbientOcclusion, h)), 1 - 4 / pi * a * std::atan(a),
+    EXPECT_NEAR(meanAt(underPlate(integrators::ambientOcclusion, h)), 1 - 4 / pi * a * std::atan(a),
                 kTolerance);
   }
 }
 
 TEST(ReferenceOcclusion, AverageVisibilityEndsAtItsLength) {
-  Scene scene = underPlate(Integrator::AverageVisibility, 0.5);
-  scene.avLength = 0.499;
+  Scene scene = underPlate(integrators::averageVisibility, 0.5);
+  scene.integrator.set("length", 0.499);
   EXPECT_EQ(meanAt(scene), 1.0);
   // Directions with a cosine above h / length meet the plate, all of them inside its border.
-  scene.avLength = 0.8;
+  scene.integrator.set("length", 0.8);
   EXPECT_NEAR(meanAt(scene), 0.5 / 0.8, kTolerance);
 }
 
 TEST(ReferenceOcclusion, AMissIsVisibleAndNotOpen) {
-  const Scene av = underPlate(Integrator::AverageVisibility, 1);
-  const Scene ao = underPlate(Integrator::AmbientOcclusion, 1);
+  const Scene av = underPlate(integrators::averageVisibility, 1);
+  const Scene ao = underPlate(integrators::ambientOcclusion, 1);
   Scene away = av;
   away.camera.toWorld[2] = -away.camera.toWorld[2];  // up, with the plate out of the way
   away.meshes.pop_back();
@@ -73,7 +73,7 @@ TEST(ReferenceOcclusion, AMissIsVisibleAndNotOpen) {
 
 TEST(ReferenceOcclusion, TheHemisphereIsTheShadingNormals) {
   // Turned below the floor: everything that leaves it downwards is free.
-  Scene scene = underPlate(Integrator::AmbientOcclusion, 1);
+  Scene scene = underPlate(integrators::ambientOcclusion, 1);
   scene.meshes[0].normals.assign(4, glm::dvec3(0, 0, -1));
   EXPECT_EQ(meanAt(scene), 1.0);
 }

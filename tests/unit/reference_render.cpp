@@ -12,13 +12,13 @@
 namespace laver {
 namespace {
 
-Scene bumpyScene(Filter::Kind kind, double radius, std::uint32_t samples) {
+Scene bumpyScene(const FilterRow* kind, double radius, std::uint32_t samples) {
   Scene scene;
-  scene.integrator = Integrator::DirectWhitted;
+  scene.integrator = {&integrators::directWhitted};
   scene.meshes = {test::bumpySphere(12, 16, 1)};
   scene.lights = {{{3, 4, 5}, glm::dvec3(50, 40, 30)}};
   scene.camera = test::downCamera({0, 0, 4}, 40, 70);
-  scene.filter.kind = kind;
+  scene.filter.row = kind;
   scene.filter.radius = radius;
   scene.sampler = {samples, 3};
   return scene;
@@ -57,7 +57,7 @@ void expectSamePixels(const Image& image, const Image& full, Crop crop) {
 }
 
 struct FilterCase {
-  Filter::Kind kind;
+  const FilterRow* kind;
   double radius;
   bool noriCompat;
 };
@@ -108,7 +108,7 @@ TEST_P(ReferenceRender, ThreadsDoNotMatter) {
 
 TEST_P(ReferenceRender, FlatFieldIsExactlyOne) {
   Scene scene = this->scene(2);
-  scene.integrator = Integrator::Normals;
+  scene.integrator = {&integrators::normals};
   scene.meshes = {test::square(10, 0)};
   const Image image = Reference(scene).render(options());
   for (int y = 0; y < image.height; ++y) {
@@ -120,17 +120,17 @@ TEST_P(ReferenceRender, FlatFieldIsExactlyOne) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Filters, ReferenceRender,
-                         testing::Values(FilterCase{Filter::Kind::Gaussian, 2.0, false},
-                                         FilterCase{Filter::Kind::Gaussian, 2.0, true},
-                                         FilterCase{Filter::Kind::Mitchell, 2.0, false},
-                                         FilterCase{Filter::Kind::Tent, 1.0, false},
-                                         FilterCase{Filter::Kind::Box, 0.5, false},
-                                         FilterCase{Filter::Kind::Box, 0.5, true}));
+                         testing::Values(FilterCase{&filters::gaussian, 2.0, false},
+                                         FilterCase{&filters::gaussian, 2.0, true},
+                                         FilterCase{&filters::mitchell, 2.0, false},
+                                         FilterCase{&filters::tent, 1.0, false},
+                                         FilterCase{&filters::box, 0.5, false},
+                                         FilterCase{&filters::box, 0.5, true}));
 
 TEST(ReferenceFilm, BandsDoNotShow) {
   // So wide that the full film is traced in several bands, the crop in others.
-  Scene scene = bumpyScene(Filter::Kind::Gaussian, 2.0, 1);
-  scene.integrator = Integrator::Normals;
+  Scene scene = bumpyScene(&filters::gaussian, 2.0, 1);
+  scene.integrator = {&integrators::normals};
   scene.camera.width = 16500;
   scene.camera.height = 37;
   scene.camera.fov = 175;
@@ -146,7 +146,7 @@ TEST(ReferenceFilm, BandsDoNotShow) {
 
 TEST(ReferenceFilm, BatchesOfSamplesDoNotShow) {
   // More samples than are traced at once: 12 x 12 pixels and 4000 samples.
-  Scene scene = bumpyScene(Filter::Kind::Tent, 1.0, 4000);
+  Scene scene = bumpyScene(&filters::tent, 1.0, 4000);
   scene.camera.width = scene.camera.height = 12;
   const Reference renderer(scene);
   const Image image = renderer.render();
@@ -156,7 +156,7 @@ TEST(ReferenceFilm, BatchesOfSamplesDoNotShow) {
 }
 
 TEST(ReferenceFilm, UnusableSamplesAreDroppedWithTheirWeight) {
-  Scene scene = bumpyScene(Filter::Kind::Gaussian, 2.0, 2);
+  Scene scene = bumpyScene(&filters::gaussian, 2.0, 2);
   scene.meshes = {test::square(10, 0)};
   scene.meshes[0].bsdf.albedo = glm::dvec3(1);
   const Image clean = Reference(scene).render();
@@ -208,18 +208,18 @@ TEST(ReferenceFilm, UnusableSamplesAreDroppedWithTheirWeight) {
 }
 
 TEST(ReferenceFilm, NoSamplesAreBlack) {
-  const Scene scene = bumpyScene(Filter::Kind::Gaussian, 2.0, 0);
+  const Scene scene = bumpyScene(&filters::gaussian, 2.0, 0);
   for (const float value : Reference(scene).render().pixels) ASSERT_EQ(value, 0.0f);
 }
 
 TEST(ReferenceFilm, EmptySceneIsBlack) {
-  Scene scene = bumpyScene(Filter::Kind::Gaussian, 2.0, 1);
+  Scene scene = bumpyScene(&filters::gaussian, 2.0, 1);
   scene.meshes.clear();
   for (const float value : Reference(scene).render().pixels) ASSERT_EQ(value, 0.0f);
 }
 
 TEST(ReferenceFilm, RefusesCropsOutsideTheFilm) {
-  const Scene scene = bumpyScene(Filter::Kind::Box, 0.5, 1);
+  const Scene scene = bumpyScene(&filters::box, 0.5, 1);
   const Reference renderer(scene);
   for (const Crop crop :
        {Crop{-1, 0, 5, 5}, Crop{0, 0, 71, 5}, Crop{5, 5, 5, 9}, Crop{0, 60, 9, 71}}) {
@@ -235,7 +235,7 @@ TEST(ReferenceFilm, RefusesCropsOutsideTheFilm) {
 }
 
 TEST(ReferenceFilm, ProgressRisesToOne) {
-  Scene scene = bumpyScene(Filter::Kind::Box, 0.5, 1);
+  Scene scene = bumpyScene(&filters::box, 0.5, 1);
   scene.camera.width = 9000;
   scene.camera.height = 64;
   std::vector<double> shares{0.0};

@@ -68,7 +68,7 @@ inline glm::dvec2 filmOf(const Camera& camera, glm::dvec3 point) {
 /// meshes away from 0.
 inline Scene litSquare() {
   Scene scene;
-  scene.integrator = Integrator::DirectWhitted;
+  scene.integrator = {&integrators::directWhitted};
   scene.meshes = {test::square(2, 0), test::square(0.25, -6)};
   scene.meshes[0].bsdf.albedo = {0.2, 0.5, 0.8};
   scene.camera = test::downCamera({0, 0, 4}, 60, 64);

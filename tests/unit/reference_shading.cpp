@@ -16,7 +16,7 @@ constexpr double pi = std::numbers::pi;
 
 TEST(ReferenceDepth, IsOneOverTheDistance) {
   Scene scene = litSquare();
-  scene.integrator = Integrator::Depth;
+  scene.integrator = {&integrators::depth};
   expectNear(seenAt(scene, {0, 0, 0}), glm::dvec3(0.25));
   expectNear(seenAt(scene, {1, 0.5, 0}), glm::dvec3(1 / std::sqrt(17.25)));
   EXPECT_EQ(Reference(scene).radiance({0.5, 0.5}), glm::dvec3(0));
@@ -24,7 +24,7 @@ TEST(ReferenceDepth, IsOneOverTheDistance) {
 
 TEST(ReferenceDepth, IsInWorldUnitsUnderAScaledCamera) {
   Scene scene = litSquare();
-  scene.integrator = Integrator::Depth;
+  scene.integrator = {&integrators::depth};
   const glm::dvec2 film = test::filmOf(scene.camera, {1, 0.5, 0});
   for (int i = 0; i < 3; ++i) scene.camera.toWorld[i] *= 8.0;
   expectNear(Reference(scene).radiance(film), glm::dvec3(1 / std::sqrt(17.25)));
@@ -32,14 +32,14 @@ TEST(ReferenceDepth, IsInWorldUnitsUnderAScaledCamera) {
 
 TEST(ReferenceNormals, AreAbsoluteValues) {
   Scene scene = litSquare();
-  scene.integrator = Integrator::Normals;
+  scene.integrator = {&integrators::normals};
   scene.meshes[0].normals.assign(4, glm::dvec3(-0.48, 0.6, -0.64));
   expectNear(seenAt(scene, {0.1, 0, 0}), {0.48, 0.6, 0.64});
 }
 
 TEST(ReferenceNormals, AreInterpolatedAndNormalised) {
   Scene scene = litSquare();
-  scene.integrator = Integrator::Normals;
+  scene.integrator = {&integrators::normals};
   scene.meshes[0].normals = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 1}};
   // (1, -1, 0) has the weights 1/4, 1/2, 1/4 in the first triangle.
   expectNear(seenAt(scene, {1, -1, 0}), glm::dvec3(1, 2, 1) / std::sqrt(6.0));
@@ -53,7 +53,7 @@ TEST(ReferenceNormals, AreInterpolatedAndNormalised) {
 
 TEST(ReferenceNormals, FallBackToTheTriangle) {
   Scene scene = litSquare();
-  scene.integrator = Integrator::Normals;
+  scene.integrator = {&integrators::normals};
   const double nan = std::numeric_limits<double>::quiet_NaN();
   scene.meshes[0].normals.assign(4, glm::dvec3(0));
   EXPECT_EQ(seenAt(scene, {0.1, 0, 0}), glm::dvec3(0, 0, 1));

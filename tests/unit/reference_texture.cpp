@@ -132,8 +132,8 @@ TEST(ReferenceTexture, MissesOfDirectWhittedAloneSeeTheBackground) {
   scene.environment = Environment();
   scene.environment->radiance = {1, 2, 3};
   EXPECT_EQ(Reference(scene).radiance({0.5, 0.5}), dvec3(1, 2, 3));
-  for (const Integrator integrator : {Integrator::Normals, Integrator::Depth}) {
-    scene.integrator = integrator;
+  for (const IntegratorRow* integrator : {&integrators::normals, &integrators::depth}) {
+    scene.integrator = {integrator};
     EXPECT_EQ(Reference(scene).radiance({0.5, 0.5}), dvec3(0));
   }
 }

@@ -33,7 +33,7 @@ TEST(Specialise, FewTrianglesNeedAShallowStack) {
 
 TEST(Specialise, IndicesAreAsSmallAsTheirLargestNumber) {
   Scene scene;
-  scene.integrator = Integrator::Normals;
+  scene.integrator = {&integrators::normals};
   scene.meshes.resize(2);
   const auto bytes = [&] { return specialise(scene, {})[shared::SPEC_INDEX_BYTES]; };
   EXPECT_EQ(bytes(), 1U);
@@ -47,29 +47,29 @@ TEST(Specialise, IndicesAreAsSmallAsTheirLargestNumber) {
   EXPECT_EQ(bytes(), 2U);
   scene.meshes[0].normals.resize(65536 - 56);
   EXPECT_EQ(bytes(), 4U);
-  scene.integrator = Integrator::Depth;
+  scene.integrator = {&integrators::depth};
   EXPECT_EQ(bytes(), 1U);
 }
 
 TEST(Specialise, WithoutALightNothingIsTraced) {
   Scene scene;
   scene.meshes.resize(1);
-  const auto hits = [&](Integrator integrator) {
-    scene.integrator = integrator;
+  const auto hits = [&](const IntegratorRow& integrator) {
+    scene.integrator = {&integrator};
     return specialise(scene, {})[shared::SPEC_HITS];
   };
-  EXPECT_EQ(hits(Integrator::Normals), 1U);
-  EXPECT_EQ(hits(Integrator::Depth), 1U);
-  EXPECT_EQ(hits(Integrator::AverageVisibility), 1U);
-  EXPECT_EQ(hits(Integrator::AmbientOcclusion), 1U);
-  EXPECT_EQ(hits(Integrator::ShadingNormal), 1U);
-  EXPECT_EQ(hits(Integrator::Albedo), 1U);
-  EXPECT_EQ(hits(Integrator::DirectWhitted), 0U);
+  EXPECT_EQ(hits(integrators::normals), 1U);
+  EXPECT_EQ(hits(integrators::depth), 1U);
+  EXPECT_EQ(hits(integrators::averageVisibility), 1U);
+  EXPECT_EQ(hits(integrators::ambientOcclusion), 1U);
+  EXPECT_EQ(hits(integrators::shadingNormal), 1U);
+  EXPECT_EQ(hits(integrators::albedo), 1U);
+  EXPECT_EQ(hits(integrators::directWhitted), 0U);
   scene.environment = Environment();
-  EXPECT_EQ(hits(Integrator::DirectWhitted), 1U);
+  EXPECT_EQ(hits(integrators::directWhitted), 1U);
   scene.environment.reset();
   scene.lights.resize(1);
-  EXPECT_EQ(hits(Integrator::DirectWhitted), 1U);
+  EXPECT_EQ(hits(integrators::directWhitted), 1U);
 }
 
 TEST(Specialise, SpheresAreTestedWhereThereAreAnyAndRaysAreTraced) {
@@ -80,7 +80,7 @@ TEST(Specialise, SpheresAreTestedWhereThereAreAnyAndRaysAreTraced) {
   for (Mesh& mesh : scene.meshes) mesh.sphere = Sphere();
   EXPECT_EQ(spheres(), 1U);
   EXPECT_EQ(specialise(scene, {})[shared::SPEC_STACK], 16U);
-  scene.integrator = Integrator::DirectWhitted;  // without a light
+  scene.integrator = {&integrators::directWhitted};  // without a light
   EXPECT_EQ(spheres(), 0U);
 }
 
@@ -103,13 +103,13 @@ TEST(Specialise, WhatASceneDoesNotNeedIsLeftOut) {
   const auto albedosAndLights = [&] {
     return std::pair(of(shared::SPEC_ALBEDOS), of(shared::SPEC_LIGHTS));
   };
-  scene.integrator = Integrator::Depth;
+  scene.integrator = {&integrators::depth};
   EXPECT_EQ(of(shared::SPEC_NORMALS), 0U);
   EXPECT_EQ(albedosAndLights(), std::pair(0U, 0U));
-  scene.integrator = Integrator::Normals;
+  scene.integrator = {&integrators::normals};
   EXPECT_EQ(of(shared::SPEC_NORMALS), 1U);
   EXPECT_EQ(albedosAndLights(), std::pair(0U, 0U));
-  scene.integrator = Integrator::DirectWhitted;
+  scene.integrator = {&integrators::directWhitted};
   EXPECT_EQ(albedosAndLights(), std::pair(1U, 1U));
   scene.meshes[1].bsdf.albedo = scene.meshes[0].bsdf.albedo;
   scene.meshes[0].normals.clear();

@@ -10,8 +10,6 @@
 namespace laver::reference {
 namespace {
 
-using Kind = Sampler::Kind;
-
 Camera film(int width, int height) {
   Camera camera;
   camera.width = width;
@@ -46,7 +44,7 @@ TEST(Sobol, EveryAlignedBlockIsANetInEveryPixel) {
       for (unsigned k = 1; k <= 8; ++k)
         for (unsigned i = 0; i <= k; ++i)
           for (const std::uint32_t block : {0U, 1U, 5U})
-            ASSERT_TRUE(oneInEach(camera, {1U << 20, seed, Kind::Sobol}, pixel, 767 - pixel,
+            ASSERT_TRUE(oneInEach(camera, {1U << 20, seed, &samplers::sobol}, pixel, 767 - pixel,
                                   1U << i, 1U << (k - i), block << k))
                 << pixel << " k " << k << " i " << i << " block " << block;
 }
@@ -54,8 +52,8 @@ TEST(Sobol, EveryAlignedBlockIsANetInEveryPixel) {
 TEST(Sobol, ALongerRenderBeginsWithTheShorter) {
   const Camera camera = film(70, 45);
   for (std::uint32_t s = 0; s < 100; ++s)
-    EXPECT_EQ(samplePosition(camera, {100, 3, Kind::Sobol}, 69, 31, s),
-              samplePosition(camera, {1U << 30, 3, Kind::Sobol}, 69, 31, s));
+    EXPECT_EQ(samplePosition(camera, {100, 3, &samplers::sobol}, 69, 31, s),
+              samplePosition(camera, {1U << 30, 3, &samplers::sobol}, 69, 31, s));
 }
 
 TEST(Stratified, OneSampleInEachStratum) {
@@ -66,7 +64,7 @@ TEST(Stratified, OneSampleInEachStratum) {
     EXPECT_EQ(strataOf(columns * rows), glm::uvec2(columns, rows));
     for (int seed = 0; seed < 45; ++seed)
       ASSERT_TRUE(
-          oneInEach(camera, {columns * rows, seed, Kind::Stratified}, 1, 0, columns, rows, 0))
+          oneInEach(camera, {columns * rows, seed, &samplers::stratified}, 1, 0, columns, rows, 0))
           << columns << " x " << rows << " of seed " << seed;
   };
   expectStrata(1, 1);
@@ -92,7 +90,7 @@ constexpr double kMost = 5.0;
 constexpr int kSide = 192;
 constexpr double kPixels = double{kSide} * kSide;
 
-class Uniform : public testing::TestWithParam<Kind> {};
+class Uniform : public testing::TestWithParam<const SamplerRow*> {};
 
 TEST_P(Uniform, EachSampleOverThePixels) {
   const Camera camera = film(kSide, kSide);
@@ -123,7 +121,7 @@ TEST_P(Uniform, TwoSamplesBelowTheDigitThatTellsThemApart) {
     const auto inside = [](double place, int strata) {
       return static_cast<std::size_t>((place * strata - std::floor(place * strata)) * 16);
     };
-    const int strata = GetParam() == Kind::Sobol ? 16 : 4;
+    const int strata = GetParam() == &samplers::sobol ? 16 : 4;
     for (int y = 0; y < kSide; ++y)
       for (int x = 0; x < kSide; ++x) {
         const glm::dvec2 p = placeOf(camera, {16, 0, GetParam()}, x, y, a);
@@ -148,7 +146,8 @@ TEST_P(Uniform, OtherSeedsAreOtherSamples) {
   EXPECT_LT(excess(cells, kPixels), kMost);
 }
 
-INSTANTIATE_TEST_SUITE_P(Samplers, Uniform, testing::Values(Kind::Stratified, Kind::Sobol));
+INSTANTIATE_TEST_SUITE_P(Samplers, Uniform,
+                         testing::Values(&samplers::stratified, &samplers::sobol));
 
 }  // namespace
 }  // namespace laver::reference

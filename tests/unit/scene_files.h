@@ -86,9 +86,9 @@ inline std::string mesh(const std::string& inside = "") {
   return "<mesh type=\"obj\"><string name=\"filename\" value=\"t.obj\"/>" + inside + "</mesh>";
 }
 
-inline SceneOverrides with(Integrator integrator) {
+inline SceneOverrides with(const IntegratorRow& integrator) {
   SceneOverrides overrides;
-  overrides.integrator = integrator;
+  overrides.integrator = {&integrator};
   return overrides;
 }
 

@@ -6,7 +6,7 @@ namespace {
 
 using namespace scene_test;
 
-Filter filterWith(Filter::Kind kind, const char* rfilter) {
+Filter filterWith(const FilterRow* kind, const char* rfilter) {
   const Files files;
   SceneOverrides overrides;
   overrides.filter = kind;
@@ -18,28 +18,29 @@ Filter filterWith(Filter::Kind kind, const char* rfilter) {
 TEST(SceneFilter, AnOverrideHasTheDefaultsOfItsKind) {
   constexpr const char* kOwn =
       "<rfilter type=\"gaussian\"><float name=\"radius\" value=\"3\"/></rfilter>";
-  EXPECT_EQ(filterWith(Filter::Kind::Gaussian, kOwn).radius, 3.0);  // the scene's own
-  EXPECT_EQ(filterWith(Filter::Kind::Mitchell, kOwn).kind, Filter::Kind::Mitchell);
-  EXPECT_EQ(filterWith(Filter::Kind::Mitchell, kOwn).radius, 2.0);
-  EXPECT_EQ(filterWith(Filter::Kind::Tent, kOwn).radius, 1.0);
-  EXPECT_EQ(filterWith(Filter::Kind::Box, "").radius, 0.5);
+  EXPECT_EQ(filterWith(&filters::gaussian, kOwn).radius, 3.0);  // the scene's own
+  EXPECT_EQ(filterWith(&filters::mitchell, kOwn).row, &filters::mitchell);
+  EXPECT_EQ(filterWith(&filters::mitchell, kOwn).radius, 2.0);
+  EXPECT_EQ(filterWith(&filters::tent, kOwn).radius, 1.0);
+  EXPECT_EQ(filterWith(&filters::box, "").radius, 0.5);
 }
 
 TEST(SceneFilter, NamesAndDefaultsAreTheXmls) {
   const Files files;
   for (const char* name : {"gaussian", "mitchell", "tent", "box"}) {
-    const auto filter = filterFromName(name);
-    ASSERT_TRUE(filter);
-    EXPECT_STREQ(filterName(filter->kind), name);
+    const FilterRow* row = rowCalled(filterRows(), name);
+    ASSERT_NE(row, nullptr);
+    EXPECT_STREQ(row->name, name);
+    const Filter filter = filterOf(*row);
     const Filter read = files
                             .load(scene("<camera type=\"perspective\"><rfilter type=\"" +
                                         std::string(name) + "\"/></camera>"))
                             .scene.filter;
-    EXPECT_EQ(read.kind, filter->kind);
-    EXPECT_EQ(read.radius, filter->radius);
-    EXPECT_EQ(read.stddev, filter->stddev);
+    EXPECT_EQ(read.row, row);
+    EXPECT_EQ(read.radius, filter.radius);
+    EXPECT_EQ(read.stddev, filter.stddev);
   }
-  EXPECT_FALSE(filterFromName("sinc"));
+  EXPECT_EQ(rowCalled(filterRows(), "sinc"), nullptr);
 }
 
 }  // namespace

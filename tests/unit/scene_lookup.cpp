@@ -101,23 +101,23 @@ TEST(SceneOverride, IntegratorMakesAnotherAWarningAndLightsUnneeded) {
   const Files files;
   files.write("t.obj", kTriangle);
   const std::string xml = scene(mesh("\n<bsdf type=\"mirror\"/>"), "path_mis");
-  EXPECT_EQ(files.warnings(xml, with(Integrator::Normals)),
+  EXPECT_EQ(files.warnings(xml, with(integrators::normals)),
             "f.xml:1:9: warning: laver has no integrator of type \"path_mis\": expected "
             "\"normals\", \"direct_whitted\", \"depth\", \"av\" or \"ao\" (nearest: \"normals\"); "
             "ignored, "
             "integrator \"normals\" does not need it\n"
             "f.xml:3:2: warning: laver has no bsdf of type \"mirror\": expected \"diffuse\"; "
             "ignored, integrator \"normals\" does not need it");
-  EXPECT_EQ(files.errors(xml, with(Integrator::DirectWhitted)),
+  EXPECT_EQ(files.errors(xml, with(integrators::directWhitted)),
             "f.xml:3:2: error: laver has no bsdf of type \"mirror\": expected \"diffuse\"");
-  EXPECT_EQ(files.load(scene("", "depth"), with(Integrator::Normals)).scene.integrator,
-            Integrator::Normals);
+  EXPECT_TRUE(files.load(scene("", "depth"), with(integrators::normals))
+                  .scene.integrator.is(integrators::normals));
 }
 
 TEST(SceneOverride, IntegratorForASceneWithoutOne) {
   const Files files;
-  const auto loaded = files.load("<scene/>", with(Integrator::Depth));
-  EXPECT_EQ(loaded.scene.integrator, Integrator::Depth);
+  const auto loaded = files.load("<scene/>", with(integrators::depth));
+  EXPECT_TRUE(loaded.scene.integrator.is(integrators::depth));
   EXPECT_TRUE(loaded.warnings.empty());
 }
 
@@ -142,17 +142,17 @@ TEST(SceneOverride, SizeSamplesAndSeedReplaceWhatTheSceneSays) {
 TEST(SceneOverride, ASamplerTakesTheCountOfAnyOther) {
   const Files files;
   SceneOverrides overrides;
-  overrides.sampler = Sampler::Kind::Sobol;
+  overrides.sampler = &samplers::sobol;
   for (const char* type : {"independent", "halton"}) {
     const Scene s = files
                         .load(scene("<sampler type=\"" + std::string(type) +
                                     "\"><integer name=\"sampleCount\" value=\"8\"/></sampler>"),
                               overrides)
                         .scene;
-    EXPECT_EQ(s.sampler.kind, Sampler::Kind::Sobol);
+    EXPECT_EQ(s.sampler.row, &samplers::sobol);
     EXPECT_EQ(s.sampler.sampleCount, 8u);
   }
-  EXPECT_EQ(files.load(scene(""), overrides).scene.sampler.kind, Sampler::Kind::Sobol);
+  EXPECT_EQ(files.load(scene(""), overrides).scene.sampler.row, &samplers::sobol);
 }
 
 TEST(SceneSampler, StrataFarFromSquareAreAWarning) {
@@ -161,7 +161,7 @@ TEST(SceneSampler, StrataFarFromSquareAreAWarning) {
     return scene("<sampler type=\"stratified\"><integer name=\"sampleCount\" value=\"" +
                  std::string(count) + "\"/></sampler>");
   };
-  EXPECT_EQ(files.load(of("16")).scene.sampler.kind, Sampler::Kind::Stratified);
+  EXPECT_EQ(files.load(of("16")).scene.sampler.row, &samplers::stratified);
   for (const char* count : {"1", "2", "8", "12", "16"}) EXPECT_EQ(files.warnings(of(count)), "");
   EXPECT_EQ(files.warnings(of("10")),
             "f.xml:2:29: warning: 10 samples make strata of 2 x 5 a pixel: 9 or 16 would make "

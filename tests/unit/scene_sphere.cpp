@@ -37,9 +37,9 @@ TEST(SceneSphere, NeedsARadiusAboveZeroAndTakesNoTransform) {
 }
 
 /// A sphere under a light, seen from above; a square far below moves the centre of the meshes.
-Scene litSphere(Integrator integrator) {
+Scene litSphere(const IntegratorRow& integrator) {
   Scene s;
-  s.integrator = integrator;
+  s.integrator = {&integrator};
   s.meshes.resize(1);
   s.meshes[0].sphere = Sphere{{0.5, 0.0, 0.0}, 0.25};
   s.meshes[0].bsdf.albedo = {0.2, 0.5, 0.8};
@@ -54,15 +54,15 @@ using test::seenAt;
 
 TEST(ReferenceSphere, DepthNormalsAndLightAtItsTop) {
   const glm::dvec3 top(0.5, 0, 0.25);
-  expectNear(seenAt(litSphere(Integrator::Depth), top), glm::dvec3(1 / 3.75));
-  expectNear(seenAt(litSphere(Integrator::Normals), top), glm::dvec3(0, 0, 1));
-  expectNear(seenAt(litSphere(Integrator::DirectWhitted), top),
+  expectNear(seenAt(litSphere(integrators::depth), top), glm::dvec3(1 / 3.75));
+  expectNear(seenAt(litSphere(integrators::normals), top), glm::dvec3(0, 0, 1));
+  expectNear(seenAt(litSphere(integrators::directWhitted), top),
              glm::dvec3(0.2, 1.0, 2.4) / std::numbers::pi);
 }
 
 TEST(ReferenceSphere, NormalsAsideAndTheSquareBeyond) {
   // The line from (0, 0, 4) over the centre through a point at 0.6, 0.8 of the radius.
-  const Scene s = litSphere(Integrator::Normals);
+  const Scene s = litSphere(integrators::normals);
   const glm::dvec3 n(0.28, 0.0, 0.96);
   const glm::dvec3 seen = seenAt(s, glm::dvec3(0.5, 0, 0) + 0.25 * n);
   expectNear(seen, n, 1e-13);
@@ -70,7 +70,7 @@ TEST(ReferenceSphere, NormalsAsideAndTheSquareBeyond) {
 }
 
 TEST(ReferenceSphere, ShadesWhatIsBelowAndNotItself) {
-  const Scene s = litSphere(Integrator::DirectWhitted);
+  const Scene s = litSphere(integrators::directWhitted);
   Scene below = s;
   below.camera = test::downCamera({0.5, 0, -1}, 60, 64);
   EXPECT_EQ(seenAt(below, {0.6, 0, -2}), glm::dvec3(0));
@@ -89,7 +89,7 @@ TEST(ReferenceSphere, TextureCoordinatesAreLongitudeAndLatitudeOfTheNormal) {
                                            {{h, h, 0}, {0.625, 0.5}}, {{-h, h, 0}, {0.875, 0.5}}};
   for (const auto& [n, uv] : cases) {
     SCOPED_TRACE(testing::Message() << n.x << " " << n.y << " " << n.z);
-    Scene s = litSphere(Integrator::Albedo);
+    Scene s = litSphere(integrators::albedo);
     // Looking at that point, from some other side.
     const dvec3 point = s.meshes[0].sphere->centre + 0.25 * n;
     const dvec3 forward = -glm::normalize(n + dvec3(0.1, 0.2, 0.15));
@@ -118,7 +118,7 @@ TEST(ReferenceSphere, TextureCoordinatesAreLongitudeAndLatitudeOfTheNormal) {
 }
 
 TEST(ReferenceSphere, FromInsideItIsSeenAllAround) {
-  Scene s = litSphere(Integrator::Depth);
+  Scene s = litSphere(integrators::depth);
   s.camera = test::downCamera({0.5, 0, 0.0}, 120, 64);
   EXPECT_NEAR(Reference(s).radiance({32, 32}).x, 4.0, 1e-12);
   EXPECT_NEAR(Reference(s).radiance({3, 60}).x, 4.0, 1e-12);

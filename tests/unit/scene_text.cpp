@@ -72,21 +72,22 @@ TEST(SceneSchema, DefaultsAreWellFormed) {
   for (const xml::ObjectRule& rule : xml::objectRules()) {
     EXPECT_NE(xml::findTag(rule.tag), nullptr) << rule.tag;
     EXPECT_EQ(xml::findObject(rule.tag, rule.type), &rule);
-    for (const xml::PropertyRule& property : rule.properties) {
-      if (!property.fallback || property.type == xml::PropertyType::Transform) continue;
-      xml::Value value;
-      EXPECT_EQ(xml::parseValue(property.type, property.fallback, value), "") << property.name;
+    for (const PropertyRow& property : rule.properties) {
+      if (property.required || property.type == PropertyType::Transform) continue;
+      Value value;
+      EXPECT_EQ(xml::parseValue(property.type, textOf(property.start), value), "") << property.name;
+      EXPECT_EQ(value, property.start) << property.name;
     }
   }
 }
 
 TEST(SceneSchema, IntegratorNamesAreThoseOfTheTable) {
   for (const std::string_view name : xml::knownTypes("integrator")) {
-    const auto integrator = integratorFromName(std::string(name));
-    ASSERT_TRUE(integrator) << name;
-    EXPECT_EQ(integratorName(*integrator), name);
+    const IntegratorRow* row = rowCalled(integratorRows(), name);
+    ASSERT_NE(row, nullptr) << name;
+    EXPECT_EQ(row->name, name);
   }
-  EXPECT_FALSE(integratorFromName("path_mis"));
+  EXPECT_EQ(rowCalled(integratorRows(), "path_mis"), nullptr);
 }
 
 TEST(SceneDescribe, EmptySceneIsTheHandOuts) {

@@ -156,11 +156,11 @@ TEST_F(SceneTextures, WhatIsOddIsWarnedOf) {
 }
 
 TEST_F(SceneTextures, NormalsAndDepthNeedNoPicture) {
-  for (const Integrator integrator : {Integrator::Normals, Integrator::Depth}) {
+  for (const IntegratorRow* integrator : {&integrators::normals, &integrators::depth}) {
     const auto loaded = files_.load(whitted(picture("no.png"),
                                             "<emitter type=\"envmap\"><string "
                                             "name=\"filename\" value=\"no.exr\"/></emitter>"),
-                                    with(integrator));
+                                    with(*integrator));
     EXPECT_TRUE(loaded.warnings.empty());
     EXPECT_FALSE(loaded.scene.meshes[0].bsdf.texture->image);
   }

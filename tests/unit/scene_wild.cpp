@@ -41,7 +41,7 @@ TEST_F(SceneWild, DefaultsOfTheTableAreThoseOfTheStructs) {
   EXPECT_EQ(s.camera.nearClip, camera.nearClip);
   EXPECT_EQ(s.camera.farClip, camera.farClip);
   EXPECT_EQ(s.camera.toWorld, camera.toWorld);
-  EXPECT_EQ(s.filter.kind, Filter::Kind::Mitchell);
+  EXPECT_EQ(s.filter.row, &filters::mitchell);
   EXPECT_EQ(s.filter.radius, 2.0);
   EXPECT_EQ(s.filter.B, Filter().B);
   EXPECT_EQ(s.filter.C, Filter().C);
@@ -68,7 +68,7 @@ TEST_F(SceneWild, EveryValueReachesItsPlace) {
   EXPECT_TRUE(loaded.warnings.empty());
   const Scene& s = loaded.scene;
   EXPECT_EQ(s.file, files_.path("f.xml"));
-  EXPECT_EQ(s.integrator, Integrator::Depth);
+  EXPECT_TRUE(s.integrator.is(integrators::depth));
   EXPECT_EQ(s.sampler.sampleCount, 64u);
   EXPECT_EQ(s.sampler.seed, -7);
   EXPECT_EQ(s.camera.fov, 0.5);
@@ -76,7 +76,7 @@ TEST_F(SceneWild, EveryValueReachesItsPlace) {
   EXPECT_EQ(s.camera.height, 32);
   EXPECT_EQ(s.camera.nearClip, 1e-3);
   EXPECT_EQ(s.camera.farClip, 1e3);
-  EXPECT_EQ(s.filter.kind, Filter::Kind::Gaussian);
+  EXPECT_EQ(s.filter.row, &filters::gaussian);
   EXPECT_EQ(s.filter.radius, 3.0);
   EXPECT_EQ(s.filter.stddev, 0.25);
 }
@@ -138,9 +138,9 @@ TEST_F(SceneWild, BoxFilterHasItsOwnRadius) {
         .load(scene("<camera type=\"perspective\"><rfilter type=\"" + type + "\"/></camera>"))
         .scene.filter;
   };
-  EXPECT_EQ(filterOf("box").kind, Filter::Kind::Box);
+  EXPECT_EQ(filterOf("box").row, &filters::box);
   EXPECT_EQ(filterOf("box").radius, 0.5);
-  EXPECT_EQ(filterOf("tent").kind, Filter::Kind::Tent);
+  EXPECT_EQ(filterOf("tent").row, &filters::tent);
   EXPECT_EQ(filterOf("tent").radius, 1.0);
 }
 

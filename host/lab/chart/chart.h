@@ -40,7 +40,7 @@ struct Options {
 /// A picture with its time and its error.
 struct Point {
   std::string series;
-  Filter::Kind filter;
+  const FilterRow* filter;
   std::string program;  ///< "laver", or a peer's name
   std::string sampler;
   bool adaptive = false;

@@ -7,19 +7,6 @@
 namespace laver::chart {
 namespace {
 
-/// What there is to choose from. A new sampler is one line here.
-struct SamplerRow {
-  const char* name;  ///< of --sampler
-  bool adaptive;     ///< takes --error
-};
-constexpr SamplerRow kSamplers[] = {
-    {"independent", true},
-    {"stratified", false},
-    {"sobol", true},
-};
-
-constexpr Filter::Kind kFilters[] = {Filter::Kind::Box, Filter::Kind::Tent, Filter::Kind::Gaussian,
-                                     Filter::Kind::Mitchell};
 /// Each step quarters the variance.
 constexpr std::uint32_t kSamples[] = {1, 4, 16, 64, 256};
 constexpr double kErrors[] = {0.04, 0.02, 0.01, 0.005};
@@ -40,12 +27,12 @@ std::string nameOf(const Series& series) {
   std::string name = series.program == "laver" ? "" : series.program + ", ";
   name += series.sampler;
   if (series.adaptive) name += " adaptive";
-  name += std::string(", ") + filterName(series.filter);
+  name += std::string(", ") + series.filter->name;
   return series.traversal.empty() ? name : name + ", " + series.traversal;
 }
 
 std::vector<std::string> Choice::arguments() const {
-  std::vector<std::string> list{"--filter", filterName(series.filter)};
+  std::vector<std::string> list{"--filter", series.filter->name};
   const auto add = [&](const char* option, const std::string& value) {
     if (value.empty()) return;
     list.emplace_back(option);
@@ -65,8 +52,11 @@ std::vector<std::string> traversalsBeside(const std::string& unasked) {
 
 std::vector<Filter> filtersFor(const Scene& scene) {
   std::vector<Filter> filters{scene.filter};
-  for (const Filter::Kind kind : kFilters)
-    if (kind != scene.filter.kind) filters.push_back(*filterFromName(filterName(kind)));
+  for (const FilterRow* row : filterRows())
+    if (row != scene.filter.row) filters.push_back(filterOf(*row));
+  // The narrower ones first.
+  std::stable_sort(filters.begin() + 1, filters.end(),
+                   [](const Filter& a, const Filter& b) { return a.radius < b.radius; });
   return filters;
 }
 
@@ -75,17 +65,18 @@ std::vector<Choice> choicesFor(const Scene& scene, const std::vector<Program>& p
                                std::uint32_t mostSamples) {
   std::vector<Choice> choices;
   for (const Filter& filter : filtersFor(scene)) {
-    for (const SamplerRow& sampler : kSamplers) {
-      addSeries({"laver", sampler.name, filter.kind, "", false}, mostSamples, choices);
-      if (sampler.adaptive && filter.kind == scene.filter.kind)
-        addSeries({"laver", sampler.name, filter.kind, "", true}, mostSamples, choices);
+    for (const SamplerRow* sampler : samplerRows()) {
+      addSeries({"laver", sampler->name, filter.row, "", false}, mostSamples, choices);
+      if (sampler->adaptive && filter.row == scene.filter.row)
+        addSeries({"laver", sampler->name, filter.row, "", true}, mostSamples, choices);
     }
-    if (filter.kind == scene.filter.kind)
+    if (filter.row == scene.filter.row)
       for (const std::string& traversal : traversals)
-        addSeries({"laver", "independent", filter.kind, traversal, false}, mostSamples, choices);
+        addSeries({"laver", samplers::independent.name, filter.row, traversal, false}, mostSamples,
+                  choices);
     for (const Program& program : programs)
-      for (const SamplerRow& sampler : kSamplers)
-        addSeries({program.name, sampler.name, filter.kind, "", false}, mostSamples, choices);
+      for (const SamplerRow* sampler : samplerRows())
+        addSeries({program.name, sampler->name, filter.row, "", false}, mostSamples, choices);
   }
   return choices;
 }

@@ -10,7 +10,7 @@ namespace laver::chart {
 struct Series {
   std::string program;  ///< "laver", or the name of another that takes the same options
   std::string sampler;  ///< as --sampler has it; empty: the program has no other
-  Filter::Kind filter;
+  const FilterRow* filter;
   std::string traversal;  ///< as --traversal has it; empty: what the device does best
   bool adaptive = false;  ///< by --error in place of --spp
 };

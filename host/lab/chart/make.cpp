@@ -26,7 +26,7 @@ class Maker {
       : options_(options),
         kept_(std::filesystem::path(options.folder) / "kept"),
         measurer_(options, kept_),
-        scene_(sceneWith("independent", 1)) {}
+        scene_(sceneWith(samplers::independent.name, 1)) {}
 
   Chart make() {
     probe();
@@ -44,7 +44,7 @@ class Maker {
  private:
   Scene sceneWith(const std::string& sampler, std::uint32_t samples) const {
     SceneOverrides overrides;
-    overrides.sampler = samplerFromName(sampler);
+    overrides.sampler = rowCalled(samplerRows(), sampler);
     overrides.size = options_.size;
     overrides.sampleCount = samples;
     return loadScene(options_.scene, overrides).scene;
@@ -101,9 +101,9 @@ class Maker {
     finish(truthCost());
   }
 
-  std::size_t placeOf(Filter::Kind kind) const {
+  std::size_t placeOf(const FilterRow* filter) const {
     std::size_t i = 0;
-    while (chart_.filters[i].kind != kind) ++i;
+    while (chart_.filters[i].row != filter) ++i;
     return i;
   }
 
@@ -154,7 +154,7 @@ class Maker {
       const Image image = rgbOf(readExr(peer.file), peer.file);
       Point point;
       point.series = point.program = peer.name;
-      point.filter = scene_.filter.kind;
+      point.filter = scene_.filter.row;
       point.passSeconds = point.processSeconds = {peer.seconds};
       addErrors(image, point);
       chart_.points.push_back(std::move(point));

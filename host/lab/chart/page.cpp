@@ -71,7 +71,7 @@ std::string pointRow(const Chart& chart, std::size_t i) {
   const Point& p = chart.points[i];
   const Truth* truth = nullptr;
   for (std::size_t f = 0; f < chart.truths.size(); ++f)
-    if (chart.filters[f].kind == p.filter) truth = &chart.truths[f];
+    if (chart.filters[f].row == p.filter) truth = &chart.truths[f];
   const bool buried = truth != nullptr && p.errors.rmse < 2.0 * truth->band;
   return fmt::format(
       "<tr id=\"{}\"><td>{}{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}{:.3g}</td><td>{:.3g}</td>"
@@ -143,8 +143,7 @@ std::string pageOf(const Chart& chart, const std::string& metric) {
     if (metrics.names[i].first == metric) metrics.first = i;
   Choices filters{"filter", {}, 0};
   for (const Filter& filter : chart.filters)
-    filters.names.emplace_back(filterName(filter.kind),
-                               std::string(filterName(filter.kind)) + " filter");
+    filters.names.emplace_back(filter.row->name, std::string(filter.row->name) + " filter");
   Choices quantities{"quantity",
                      {{"t", "distance"}, {"normal", "direction"}, {"slips", "mismatches"}}};
 

@@ -52,10 +52,10 @@ double valueOf(const Point& point, const Chart& chart, const std::string& metric
 }
 
 Panel timePanel(const Chart& chart, std::size_t filter, const std::string& metric, bool process) {
-  const Filter::Kind kind = chart.filters[filter].kind;
+  const FilterRow* row = chart.filters[filter].row;
   Panel panel;
-  panel.title = fmt::format(
-      "{}, {} filter", process ? "B: whole process" : "A: trace + reconstruct", filterName(kind));
+  panel.title = fmt::format("{}, {} filter",
+                            process ? "B: whole process" : "A: trace + reconstruct", row->name);
   panel.xLabel = "seconds, median and quartiles";
   for (const Metric& m : kMetrics)
     if (metric == m.name) panel.yLabel = m.label;
@@ -65,7 +65,7 @@ Panel timePanel(const Chart& chart, std::size_t filter, const std::string& metri
     const std::string line = lineOf(point);
     auto place = std::find(lines.begin(), lines.end(), line);
     if (place == lines.end()) place = lines.insert(lines.end(), line);
-    if (point.filter != kind) continue;
+    if (point.filter != row) continue;
     auto curve = std::find_if(panel.curves.begin(), panel.curves.end(),
                               [&](const Curve& c) { return c.label == line; });
     if (curve == panel.curves.end()) {

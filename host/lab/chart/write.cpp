@@ -32,7 +32,7 @@ nlohmann::json jsonOf(const Chart& chart) {
   for (const Point& p : chart.points) {
     nlohmann::json entry{{"series", p.series},
                          {"program", p.program},
-                         {"filter", filterName(p.filter)},
+                         {"filter", p.filter->name},
                          {"sampler", p.sampler},
                          {"adaptive", p.adaptive},
                          {"traversal", p.traversal},
@@ -49,7 +49,7 @@ nlohmann::json jsonOf(const Chart& chart) {
     points.push_back(std::move(entry));
   }
   for (std::size_t f = 0; f < chart.truths.size(); ++f)
-    truths.push_back({{"filter", filterName(chart.filters[f].kind)},
+    truths.push_back({{"filter", chart.filters[f].row->name},
                       {"band", chart.truths[f].band},
                       {"relativeBand", chart.truths[f].relativeBand}});
   for (const auto& [series, slope] : slopesOf(chart))
@@ -76,7 +76,7 @@ std::string csvOf(const Chart& chart) {
       "process_seconds,process_q1,process_q3,rmse,relative_mse,mismatches,unexcused\n";
   for (const Point& p : chart.points) {
     csv += fmt::format("{},{},{},{},{},{},{:g}", quoted(p.series), quoted(p.program),
-                       filterName(p.filter), p.sampler, p.adaptive ? 1 : 0, p.traversal, p.samples);
+                       p.filter->name, p.sampler, p.adaptive ? 1 : 0, p.traversal, p.samples);
     for (const auto* seconds : {&p.passSeconds, &p.processSeconds})
       csv += fmt::format(",{:.6g},{:.6g},{:.6g}", quantile(*seconds, 0.5), quantile(*seconds, 0.25),
                          quantile(*seconds, 0.75));

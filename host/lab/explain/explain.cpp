@@ -19,10 +19,10 @@ using glm::dvec2;
 using glm::dvec3;
 
 /// One sample a pixel that stays in its pixel.
-Scene oneSample(Scene scene, Integrator integrator) {
-  scene.integrator = integrator;
+Scene oneSample(Scene scene, const IntegratorRow& integrator) {
+  scene.integrator = {&integrator};
   scene.sampler.sampleCount = 1;
-  scene.filter = {Filter::Kind::Box, 0.5, 0.0, 0.0, 0.0};
+  scene.filter = filterOf(filters::box);
   return scene;
 }
 
@@ -42,10 +42,10 @@ double ulpOf(double x) {
 class Comparison {
  public:
   Comparison(const Scene& scene, const Scene& judged, const VulkanOptions& vulkan)
-      : depthTruth_(oneSample(judged, Integrator::Depth)),
-        normalTruth_(oneSample(judged, Integrator::Normals)),
-        litTruth_(oneSample(judged, Integrator::DirectWhitted)),
-        lit_(scene.integrator == Integrator::DirectWhitted),
+      : depthTruth_(oneSample(judged, integrators::depth)),
+        normalTruth_(oneSample(judged, integrators::normals)),
+        litTruth_(oneSample(judged, integrators::directWhitted)),
+        lit_(scene.integrator.is(integrators::directWhitted)),
         depthReference_(depthTruth_),
         normalReference_(normalTruth_),
         litReference_(litTruth_),
@@ -55,10 +55,10 @@ class Comparison {
       Stats stats;
       return renderer.render(s, {}, stats);
     };
-    ids_ = render(numbered(oneSample(scene, Integrator::Normals)));
-    depth_ = render(oneSample(scene, Integrator::Depth));
-    normal_ = render(oneSample(scene, Integrator::Normals));
-    if (lit_) radiance_ = render(oneSample(scene, Integrator::DirectWhitted));
+    ids_ = render(numbered(oneSample(scene, integrators::normals)));
+    depth_ = render(oneSample(scene, integrators::depth));
+    normal_ = render(oneSample(scene, integrators::normals));
+    if (lit_) radiance_ = render(oneSample(scene, integrators::directWhitted));
   }
 
   Explanation run() {

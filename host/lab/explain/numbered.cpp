@@ -27,7 +27,7 @@ glm::dvec3 normalOf(std::uint32_t number, std::uint32_t side) {
 
 Scene numbered(const Scene& scene) {
   Scene result = scene;
-  result.integrator = Integrator::Normals;
+  result.integrator = {&integrators::normals};
   const std::uint32_t side = sideOf(scene);
   std::uint32_t number = 0;
   for (Mesh& mesh : result.meshes) {

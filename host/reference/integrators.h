@@ -1,0 +1,25 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "reference/camera.h"
+#include "reference/world.h"
+#include "scene/scene.h"
+
+namespace laver::reference {
+
+/// A camera ray and what it hit: what an integrator's twin, integrators/NAME.cpp, is given.
+struct CameraSample {
+  const World& world;
+  const Scene& scene;
+  const IntegratorUse& integrator;
+  glm::dvec3 direction;  ///< of the ray, of any length
+  std::optional<Met> hit;
+  glm::dvec2 numbers;  ///< in [0, 1)
+};
+
+/// Radiance that arrives along a camera ray. `numbers` in [0, 1) choose a direction.
+glm::dvec3 radiance(const World& world, const Scene& scene, const IntegratorUse& integrator,
+                    const CameraRay& camera, glm::dvec2 numbers);
+
+}  // namespace laver::reference

@@ -1,0 +1,16 @@
+#include <limits>
+
+#include "reference/integrators.h"
+#include "reference/openness.h"
+
+namespace laver::reference {
+
+/// 1 if nothing lies in a direction with density cosine / pi around the shading normal, else 0.
+glm::dvec3 ambientOcclusion(const CameraSample& sample) {
+  if (!sample.hit) return glm::dvec3(0.0);
+  const Surface surface = sample.world.surface(*sample.hit);
+  return glm::dvec3(openness(sample.world, surface, cosineAround(surface.shading, sample.numbers),
+                             std::numeric_limits<double>::infinity()));
+}
+
+}  // namespace laver::reference

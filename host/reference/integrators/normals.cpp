@@ -1,0 +1,11 @@
+#include "reference/integrators.h"
+
+namespace laver::reference {
+
+/// |n|, n the shading normal.
+glm::dvec3 normals(const CameraSample& sample) {
+  if (!sample.hit) return glm::dvec3(0.0);
+  return glm::abs(sample.world.surface(*sample.hit).shading);
+}
+
+}  // namespace laver::reference

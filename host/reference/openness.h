@@ -1,0 +1,22 @@
+#pragma once
+#include <glm/glm.hpp>
+
+#include "reference/world.h"
+
+namespace laver::reference {
+
+/// Where a shadow ray starts: off the surface, on the side of its direction, so that neither the
+/// surface's own plane nor that of its neighbours lies between.
+glm::dvec3 offsetOrigin(const Surface& surface, const glm::dvec3& direction);
+
+/// Uniform on the hemisphere of n.
+glm::dvec3 uniformAround(const glm::dvec3& n, glm::dvec2 numbers);
+
+/// With density cosine / pi around n.
+glm::dvec3 cosineAround(const glm::dvec3& n, glm::dvec2 numbers);
+
+/// 1 if nothing lies within `length` of the surface in a direction, else 0.
+double openness(const World& world, const Surface& surface, const glm::dvec3& direction,
+                double length);
+
+}  // namespace laver::reference

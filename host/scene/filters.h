@@ -1,0 +1,43 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "scene/property.h"
+#include "scene/rows.h"
+
+namespace laver {
+
+struct Filter;
+
+/// A reconstruction filter. Its kernel's part is shaders/filter/NAME.glsl.
+struct FilterRow {
+  const char* name;                      ///< in scenes and on the command line
+  std::vector<const char*> spellings{};  ///< other names in scenes
+  const char* object = "";               ///< Nori's class, in the dump
+  double radius = 0.0;                   ///< default, pixels
+  std::vector<PropertyRow> properties{};
+  std::vector<double Filter::*> members{};  ///< where the properties are kept
+  /// One axis at x pixels from the centre, |x| <= radius, in double precision.
+  double (*evaluate)(const Filter& filter, double x) = nullptr;
+};
+
+namespace filters {
+/// Those that other code names.
+extern const FilterRow gaussian, mitchell, tent, box;
+}  // namespace filters
+
+const Rows<FilterRow>& filterRows();
+
+/// Reconstruction filter, separable; radius and stddev in pixels.
+struct Filter {
+  const FilterRow* row = &filters::gaussian;
+  double radius = 2.0;
+  double stddev = 0.5;   ///< gaussian only
+  double B = 1.0 / 3.0;  ///< Mitchell only
+  double C = 1.0 / 3.0;  ///< Mitchell only
+};
+
+/// With the parameters that a scene may leave out.
+Filter filterOf(const FilterRow& row);
+
+}  // namespace laver

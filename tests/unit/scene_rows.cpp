@@ -1,0 +1,93 @@
+// The tables of what a scene may hold: each row is complete, and what it does not say is safe.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "render/renderings.h"
+#include "scene/suggest.h"
+#include "unit/scene_files.h"
+
+namespace laver {
+namespace {
+
+bool hasShader(const std::string& name) {
+  const std::filesystem::path shaders = std::filesystem::path(LAVER_SOURCE_DIR) / "shaders";
+  return std::filesystem::exists(shaders / "integrators" / (name + ".glsl")) ||
+         std::filesystem::exists(shaders / (name + ".comp"));
+}
+
+TEST(SceneRows, AnIntegratorHasAKernelATwinAndAnObjectOfItsOwn) {
+  std::set<std::string> objects;
+  for (const IntegratorRow* row : integratorRows()) {
+    SCOPED_TRACE(row->name);
+    EXPECT_TRUE(hasShader(row->name));
+    EXPECT_NE(row->radiance, nullptr);
+    ASSERT_NE(row->object, nullptr);
+    EXPECT_TRUE(objects.insert(row->object).second);
+    EXPECT_EQ(rowCalled(integratorRows(), row->name), row);
+  }
+}
+
+TEST(SceneRows, ALayerIsNoIntegratorOfAScene) {
+  for (const IntegratorRow* row : {&integrators::shadingNormal, &integrators::albedo}) {
+    EXPECT_EQ(row->object, nullptr);
+    EXPECT_TRUE(hasShader(row->name));
+    EXPECT_NE(row->radiance, nullptr);
+    EXPECT_EQ(rowCalled(integratorRows(), row->name), nullptr);
+  }
+}
+
+TEST(SceneRows, AFilterKeepsEachOfItsProperties) {
+  std::set<std::string> objects;
+  for (const FilterRow* row : filterRows()) {
+    SCOPED_TRACE(row->name);
+    EXPECT_TRUE(objects.insert(row->object).second);
+    ASSERT_EQ(row->members.size(), row->properties.size());
+    const Filter filter = filterOf(*row);
+    for (std::size_t i = 0; i < row->members.size(); ++i)
+      EXPECT_EQ(Value(filter.*row->members[i]), row->properties[i].start);
+    EXPECT_GT(row->evaluate(filter, 0.0), 0.0);
+  }
+}
+
+TEST(SceneRows, NoTwoSamplersShareAnObject) {
+  std::set<std::string> objects;
+  for (const SamplerRow* row : samplerRows()) EXPECT_TRUE(objects.insert(row->object).second);
+}
+
+TEST(SceneRows, AHintNamesAllIntegratorsOfTheTable) {
+  const scene_test::Files files;
+  std::vector<std::string_view> names;
+  for (const IntegratorRow* row : integratorRows()) names.emplace_back(row->name);
+  EXPECT_NE(files.errors("<scene><integrator type=\"dept\"/></scene>")
+                .find(xml::expectedNames("dept", names)),
+            std::string::npos);
+}
+
+TEST(SceneRows, AnIntegratorThatSaysNothingOfMissesIsNotCutToTheScene) {
+  const IntegratorRow silent{.name = "silent"};
+  Scene scene;
+  scene.integrator = {&silent};
+  EXPECT_FALSE(renderingsOf(scene, {}).front().blackMisses);
+  scene.integrator = {&integrators::depth};
+  EXPECT_TRUE(renderingsOf(scene, {}).front().blackMisses);
+}
+
+// An integrator that is shown beside another has the properties that the file gives it.
+TEST(SceneRows, PropertiesOfTheFileHoldBesideAnotherIntegrator) {
+  const scene_test::Files files;
+  SceneOverrides overrides;
+  overrides.integrator = {&integrators::depth};
+  const std::string av =
+      "<scene><integrator type=\"av\"><float name=\"length\" value=\"3\"/></integrator></scene>";
+  const Scene scene = files.load(av, overrides).scene;
+  EXPECT_TRUE(scene.integrator.is(integrators::depth));
+  EXPECT_EQ(useOf(scene, {&integrators::averageVisibility}).real("length"), 3.0);
+  EXPECT_EQ(files.load(av).scene.integrator.real("length"), 3.0);
+  EXPECT_EQ(IntegratorUse{&integrators::averageVisibility}.real("length"),
+            std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+}  // namespace laver
