@@ -44,7 +44,7 @@ void PrintTo(const Saving& saving, std::ostream* out) { *out << saving.name; }
 
 class Savings : public testing::TestWithParam<Saving> {};
 
-TEST_P(Savings, KeepTheBits) {
+TEST_P(Savings, ASpecialisedConstantChangesNoBit) {
   const std::uint32_t one = 1U << GetParam().constant;
   bool saved = false;
   for (const Scene& scene : scenes()) {

@@ -202,7 +202,7 @@ TEST(SceneDamage, NeverEscapesTheErrorType) {
   EXPECT_GT(refused, 100);
 }
 
-TEST(SceneDamage, OfMeshesNeverEscapesEither) {
+TEST(SceneDamage, OfMeshesNeverEscapesTheErrorType) {
   const Files files;
   const std::string good =
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nvt 0 0\nvn 0 0 1\nf 1/1/1 2//1 -2\nf 1 2 3 4\n";

@@ -54,7 +54,7 @@ std::string sceneOf(const Bad& bad) {
          "</mesh></scene>";
 }
 
-LAVER_STABILITY(13, Geometry, "Bad geometry: stated behaviour, with the message") {
+LAVER_STABILITY(Geometry, "Bad geometry: stated behaviour, with the message") {
   std::vector<std::vector<std::string>> cells{{"input", "behaviour", "message"}};
   std::uint64_t wrong = 0;
   for (const Bad& bad : kBad) {

@@ -106,7 +106,7 @@ std::vector<std::uint32_t> sightOf(const Plane& plane, const SceneData& data, Su
   return subject.visible(light, points);
 }
 
-LAVER_STABILITY(04, Acne, "A flat plane lit at grazing angles") {
+LAVER_STABILITY(Acne, "A flat plane lit at grazing angles") {
   std::vector<Setting> settings;
   for (const double scale : {1e-3, 1.0, 1e3, 1e6})
     for (const double light : {1.0, 1e2, 1e4}) settings.push_back({scale, 0.0, 3.0, light});

@@ -85,7 +85,7 @@ TestRay rayAt(const Box& box, Kind kind, float offset, std::mt19937& random) {
   return ray;
 }
 
-LAVER_STABILITY(02, Boxes, "Slabs: box edges, faces, tiny components, signed zeros, far offsets") {
+LAVER_STABILITY(Boxes, "Slabs: box edges, faces, tiny components, signed zeros, far offsets") {
   for (const float offset : {0.0F, 1e6F}) {
     const std::vector<TreeBox> boxes = treeBoxes(offset);
     for (const Kind kind : {Kind::Edges, Kind::InAFace, Kind::TinyComponent, Kind::ZeroComponent}) {

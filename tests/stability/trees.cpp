@@ -59,7 +59,7 @@ std::uint32_t depthOf(const BinaryTree& tree, const Subtree& s) {
   return 1 + std::max(depthOf(tree, tree.left(s)), depthOf(tree, tree.right(s)));
 }
 
-LAVER_STABILITY(12, Trees, "Trees: cascade, duplicates, shells") {
+LAVER_STABILITY(Trees, "Trees: cascade, duplicates, shells") {
   for (Case& c : scenes()) {
     UninitialisedVector<BuildItem> items;
     for (const shared::Triangle& t : c.triangles)

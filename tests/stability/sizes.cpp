@@ -1,5 +1,5 @@
-// Scenes of any size give the picture of the same scene at size 1, and (case 6) the same bits where
-// the size is a power of two.
+// Scenes of any size give the picture of the same scene at size 1, and (PowersOfTwo) the same bits
+// where the size is a power of two.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ VulkanOptions by(const std::string& traversal) {
   return vulkan;
 }
 
-LAVER_STABILITY(06, PowersOfTwo, "The scene scaled by 2^k: the same bits") {
+LAVER_STABILITY(PowersOfTwo, "The scene scaled by 2^k: the same bits") {
   for (const char* name : {"bunny-whitted.xml", "cornell-two-lights.xml", "bunny-depth.xml"})
     for (const std::string traversal : {"lane", "packet32", "packet64"}) {
       const Scene scene = test::smallScene(name, 96, 2);
@@ -43,7 +43,7 @@ LAVER_STABILITY(06, PowersOfTwo, "The scene scaled by 2^k: the same bits") {
     }
 }
 
-LAVER_STABILITY(10, Sizes, "Scenes of size 1e-15 to 1e15") {
+LAVER_STABILITY(Sizes, "Scenes of size 1e-15 to 1e15") {
   for (const char* name : {"bunny-whitted.xml", "cornell-two-lights.xml"})
     for (const std::string traversal : {"lane", "packet32", "packet64"}) {
       const Scene scene = test::smallScene(name, 96, 1);

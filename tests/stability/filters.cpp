@@ -53,7 +53,7 @@ double unnormalised(const Reference& reference) {
   return most;
 }
 
-LAVER_STABILITY(14, Filters, "Filters: flat field, step, negative lobes") {
+LAVER_STABILITY(Filters, "Filters: flat field, step, negative lobes") {
   const std::vector<std::pair<const char*, Filter>> filters = {
       {"gaussian", {Filter::Kind::Gaussian, 2.0, 0.5, 0.0, 0.0}},
       {"Mitchell", {Filter::Kind::Mitchell, 2.0, 0.5, 1.0 / 3, 1.0 / 3}},

@@ -86,7 +86,7 @@ std::uint64_t otherBits(const std::string& traversal) {
   return differ;
 }
 
-LAVER_STABILITY(08, Order, "Ties: child order, triangle order, node width, traversal") {
+LAVER_STABILITY(Order, "Ties: child order, triangle order, node width, traversal") {
   const Sheets sheets;
   const auto half = static_cast<std::uint32_t>(sheets.triangles.size() / 2);
   constexpr std::size_t kSide = 96;

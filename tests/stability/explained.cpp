@@ -44,7 +44,7 @@ Mutation mutationOf(const Scene& scene) {
   return m;
 }
 
-LAVER_STABILITY(00, Explained, "Every scene of triangles against the double reference") {
+LAVER_STABILITY(Explained, "Every scene of triangles against the double reference") {
   for (const auto& entry : std::filesystem::directory_iterator(test::scenesFolder())) {
     if (entry.path().extension() != ".xml") continue;
     const std::string name = entry.path().filename();

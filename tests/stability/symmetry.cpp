@@ -39,7 +39,7 @@ Rays raysAt(const Mesh& mesh, std::uint64_t count) {
   return rays;
 }
 
-LAVER_STABILITY(07, Symmetry, "Mirrored, axes permuted, translated") {
+LAVER_STABILITY(Symmetry, "Mirrored, axes permuted, translated") {
   const Mesh ball = test::ball(60, 80, 0.02, dvec3(0.0));
   const Rays rays = raysAt(ball, amount(full, 1ULL << 16, 1ULL << 19));
   struct Change {

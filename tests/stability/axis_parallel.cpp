@@ -62,7 +62,7 @@ glm::vec3 axisDirection(std::mt19937& random) {
   return d;
 }
 
-LAVER_STABILITY(03, AxisParallel, "Axis-parallel rays, origin on a face, through the BVH") {
+LAVER_STABILITY(AxisParallel, "Axis-parallel rays, origin on a face, through the BVH") {
   const ClosedMesh mesh = cube();
   const Bvh tight = chart::withTightBoxes(mesh.bvh);
   std::vector<test::TestRay> rays(amount(full, 1ULL << 18, 1ULL << 21) / 64 * 64);

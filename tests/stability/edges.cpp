@@ -59,7 +59,7 @@ void addPicture(Record& record, const ClosedMesh& mesh, const Bvh& listed, Subje
       before, after);
 }
 
-LAVER_STABILITY(01, Edges, "Edge and vertex rays at closed meshes") {
+LAVER_STABILITY(Edges, "Edge and vertex rays at closed meshes") {
   // The whole is 1e8 rays, shared among the offsets and the traversals that run on a device.
   const std::uint64_t chunks = amount(full, 4, 64);
   for (const double offset : {0.0, 1e3, 1e5}) {

@@ -71,7 +71,7 @@ constexpr std::array kTheories = {Theory{Sampler::Kind::Independent, -0.5, "-1/2
                                   Theory{Sampler::Kind::Stratified, -0.75, "-3/4", 0.056},
                                   Theory{Sampler::Kind::Sobol, -0.75, "-3/4", 0.037}};
 
-LAVER_STABILITY(17, Sampling, "Sampler slopes at an edge") {
+LAVER_STABILITY(Sampling, "Sampler slopes at an edge") {
   const std::uint32_t few = 16, many = full ? 4096 : 1024;
   std::optional<double> plain;  // slope of `independent`, the naive method to the others
   for (const Theory& theory : kTheories) {
