@@ -1,16 +1,17 @@
 // The integrators av and ao beyond the ready scenes: lengths, both traversals, crops.
 #include "pictures/explain.h"
 #include "pictures/harness.h"
+#include "support/bumpy_sphere.h"
 
 namespace laver::test {
 namespace {
 
-/// From inside a bumpy ball, with a wide view: rays and directions of all kinds.
+/// From inside a bumpy sphere, with a wide view: rays and directions of all kinds.
 Scene insideABall(Integrator integrator) {
   Scene scene;
   scene.integrator = integrator;
-  scene.meshes = {ball(60, 90, 0.05, glm::dvec3(0.1, 0.0, 0.0)),
-                  ball(12, 20, 0.0, glm::dvec3(0.1, 0.0, 9.0))};
+  scene.meshes = {bumpySphere(60, 90, 0.05, glm::dvec3(0.1, 0.0, 0.0)),
+                  bumpySphere(12, 20, 0.0, glm::dvec3(0.1, 0.0, 9.0))};
   for (glm::dvec3& p : scene.meshes[1].positions) p = 0.3 * (p - glm::dvec3(0.1, 0.0, 9.0));
   for (glm::uvec3& t : scene.meshes[0].triangles) std::swap(t.x, t.y);  // seen from inside
   scene.camera.width = 61;
@@ -38,7 +39,7 @@ TEST(Occlusion, EveryLengthEqualsTheReference) {
     EXPECT_LE(now, before);
     before = now;
   }
-  EXPECT_EQ(before, 0.0);  // nothing leaves the ball
+  EXPECT_EQ(before, 0.0);  // nothing leaves the sphere
   scene.avLength = 1e-9;
   EXPECT_GT(mean(render(scene)), 0.999);
 }
@@ -46,7 +47,7 @@ TEST(Occlusion, EveryLengthEqualsTheReference) {
 TEST(Occlusion, AmbientOcclusionInTheOpen) {
   Scene scene = insideABall(Integrator::AmbientOcclusion);
   scene.meshes.erase(scene.meshes.begin());
-  scene.meshes.push_back(ball(12, 20, 0.2, glm::dvec3(1.0, 0.5, 0.4)));
+  scene.meshes.push_back(bumpySphere(12, 20, 0.2, glm::dvec3(1.0, 0.5, 0.4)));
   expectTraversalsMatch(scene, 1e-4);
   EXPECT_GT(mean(render(scene)), 0.1);
 }

@@ -4,16 +4,17 @@
 
 #include "pictures/explain.h"
 #include "pictures/harness.h"
+#include "support/bumpy_sphere.h"
 
 namespace laver::test {
 namespace {
 
-/// A ball lit from afar, one sample a pixel; the light is as bright on it at any distance.
+/// A sphere lit from afar, one sample a pixel; the light is as bright on it at any distance.
 Scene litBall(double bump, double distance) {
   const glm::dvec3 centre(0.3, 0.2, 0.1);
   Scene scene;
   scene.integrator = Integrator::DirectWhitted;
-  scene.meshes = {ball(150, 300, bump, centre)};
+  scene.meshes = {bumpySphere(150, 300, bump, centre)};
   scene.camera.width = scene.camera.height = 300;
   scene.camera.toWorld[3] = glm::dvec4(0.3, 0.2, -5.0, 1.0);
   scene.filter = {Filter::Kind::Box, 0.5, 0.0, 0.0, 0.0};

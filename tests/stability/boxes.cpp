@@ -11,7 +11,7 @@
 #include "stability/record.h"
 #include "unit/box.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 using glm::vec3;
@@ -116,4 +116,4 @@ LAVER_STABILITY(Boxes, "Slabs: box edges, faces, tiny components, signed zeros, 
 }
 
 }  // namespace
-}  // namespace laver::stability
+}  // namespace laver::test

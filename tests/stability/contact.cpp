@@ -11,7 +11,7 @@
 #include "stability/subject.h"
 #include "stability/surfaces.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 using glm::dvec3;
@@ -56,7 +56,7 @@ bool naiveSees(const Contact& c, double light) {
     const glm::vec3 p(c.at(floorPoint(i).x, floorPoint(i).y, 0.0));
     const glm::vec3 way = glm::vec3(c.at(0.0, 0.0, light)) - p;
     const float length = glm::length(way);
-    test::TestHit hit{};
+    TestHit hit{};
     if (std::none_of(triangles.begin(), triangles.end(), [&](const auto& t) {
           return naive::moellerTrumbore(p, way / length, t, 1e-4F, length * (1 - 1e-4F), hit);
         }))
@@ -128,4 +128,4 @@ LAVER_STABILITY(Contact, "The smallest contact gap that still casts a shadow") {
 }
 
 }  // namespace
-}  // namespace laver::stability
+}  // namespace laver::test

@@ -8,7 +8,7 @@
 #include "stability/subject.h"
 #include "stability/surfaces.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 /// A square that faces the camera; the film sees it whole where `flat`, else its slanted edge.
@@ -66,7 +66,7 @@ LAVER_STABILITY(Filters, "Filters: flat field, step, negative lobes") {
       const Scene flat = square(filter, true);
       Image ones = rgbImage(64, 64);
       for (std::size_t i = 2; i < ones.pixels.size(); i += 3) ones.pixels[i] = 1.0F;
-      const Image field = test::render(flat, vulkan);
+      const Image field = render(flat, vulkan);
       record.add({std::string(name) + ", flat field", traversal, kSamples,
                   unnormalised(Reference(flat)), furthest(field, ones), 1e-6, "of the field"});
 
@@ -75,10 +75,10 @@ LAVER_STABILITY(Filters, "Filters: flat field, step, negative lobes") {
       RenderOptions compat;
       compat.noriCompat = true;
       record.add({std::string(name) + ", step; naive: Nori's table", traversal, kSamples,
-                  furthest(test::render(step, vulkan, compat), reference.render()),
-                  furthest(test::render(step, vulkan), reference.render()), 1e-6, "of the step"});
+                  furthest(render(step, vulkan, compat), reference.render()),
+                  furthest(render(step, vulkan), reference.render()), 1e-6, "of the step"});
     }
 }
 
 }  // namespace
-}  // namespace laver::stability
+}  // namespace laver::test

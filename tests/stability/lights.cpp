@@ -11,7 +11,7 @@
 #include "stability/subject.h"
 #include "stability/surfaces.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 /// A floor of half-width 1 under a light at `height`, seen from 2 above in a film that spans some
@@ -99,4 +99,4 @@ LAVER_STABILITY(Lights, "A light at height 1 to 0, on and behind the surface") {
 }
 
 }  // namespace
-}  // namespace laver::stability
+}  // namespace laver::test

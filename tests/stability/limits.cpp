@@ -5,7 +5,7 @@
 #include "render/plan.h"
 #include "stability/record.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 VkPhysicalDeviceLimits small() {
@@ -56,4 +56,4 @@ LAVER_STABILITY(Limits, "Buffer limits") {
 }
 
 }  // namespace
-}  // namespace laver::stability
+}  // namespace laver::test

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 std::string escaped(const std::string& text) {
@@ -85,4 +85,4 @@ std::string page(const nlohmann::json& cases) {
   return html + "</body></html>\n";
 }
 
-}  // namespace laver::stability
+}  // namespace laver::test

@@ -9,7 +9,7 @@
 
 #include "image/io.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 std::filesystem::path folder() { return std::filesystem::path(LAVER_STABILITY_DIR) / "rows"; }
@@ -98,4 +98,4 @@ std::uint64_t amount(bool full, std::uint64_t quick, std::uint64_t whole) {
   return full ? whole : quick;
 }
 
-}  // namespace laver::stability
+}  // namespace laver::test

@@ -35,7 +35,7 @@ json readCases(const std::filesystem::path& folder) {
 void print(const json& cases) {
   fmt::print("{:14} {:44} {:20} {:>10} {:>10} {:>10} {:>8}  {:14} {:>7}\n", "case", "input",
              "text that ran", "rays", "naive", "ours", "wanted", "unit", "seconds");
-  using laver::stability::figure;
+  using laver::test::figure;
   for (const auto& c : cases)
     for (const auto& row : c["rows"])
       fmt::print("{:14} {:44} {:20} {:>10} {:>10} {:>10} {:>8}  {:14} {:>7.1f}{}\n",
@@ -59,7 +59,7 @@ void report(const std::filesystem::path& folder) {
   json table = cases;
   for (auto& c : table) c.erase("pictures");
   std::ofstream(folder / "stability.json") << table.dump(1) << '\n';
-  std::ofstream(folder / "stability.html") << laver::stability::page(cases);
+  std::ofstream(folder / "stability.html") << laver::test::page(cases);
   fmt::print("\nWrote {0}/stability.json and {0}/stability.html\n", folder.string());
 }
 

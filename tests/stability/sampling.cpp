@@ -9,7 +9,7 @@
 #include "stability/subject.h"
 #include "stability/surfaces.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 /// Half-plane x < 0.2 y of the plane z = 0, seen along z by box filter; |n| is 1 there.
@@ -44,7 +44,7 @@ double edgeError(Sampler::Kind sampler, std::uint32_t samples) {
   const Scene scene = edge(sampler, samples);
   VulkanOptions vulkan;
   vulkan.device = testDevice();
-  const Image image = test::render(scene, vulkan);
+  const Image image = render(scene, vulkan);
   double squares = 0;
   int count = 0;
   for (int y = 0; y < 64; ++y)
@@ -88,4 +88,4 @@ LAVER_STABILITY(Sampling, "Sampler slopes at an edge") {
 }
 
 }  // namespace
-}  // namespace laver::stability
+}  // namespace laver::test

@@ -5,7 +5,7 @@
 
 #include "stability/exact.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 using glm::dvec3;
@@ -51,4 +51,4 @@ SliverRay sliverRay(double aspect, double distance, double leastCosine, double m
   return result;
 }
 
-}  // namespace laver::stability
+}  // namespace laver::test

@@ -13,7 +13,7 @@
 #include "stability/statistics.h"
 #include "stability/subject.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 constexpr double kAspects[] = {1.0, 1e2, 1e3, 1e4, 1e5, 1e6};
@@ -75,7 +75,7 @@ Errors errorsOf(const Twin& twin, double aspect, double distance, double least, 
                             glm::dvec3(na - nb) * 10.0);
       own.radiance.push_back(exact::ulps(lambert(light, p.position, shading),
                                          lambert(glm::dvec3(light), position, trueShading)));
-      test::TestHit hit{};
+      TestHit hit{};
       if (naive::moellerTrumbore(s.ray.origin, s.ray.direction, s.triangle, 0.0F, 1e37F, hit))
         own.naiveT.push_back(exact::ulps(hit.t, truth.t));
     }
@@ -121,8 +121,8 @@ struct Shares {
 /// Slivers in one tree, each asked for by a ray that begins and ends beside it.
 struct SliverField {
   Bvh bvh;
-  std::vector<test::TestRay> rays;  ///< 64 copies for each triangle, in the order of the ids
-  std::vector<double> truths;       ///< t
+  std::vector<TestRay> rays;   ///< 64 copies for each triangle, in the order of the ids
+  std::vector<double> truths;  ///< t
 };
 
 SliverField sliverField(double aspect, std::uint64_t count) {
@@ -220,4 +220,4 @@ LAVER_STABILITY(Slivers, "Slivers of aspect 1e2 to 1e6, and grazing incidence") 
 }
 
 }  // namespace
-}  // namespace laver::stability
+}  // namespace laver::test

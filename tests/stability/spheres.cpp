@@ -12,13 +12,12 @@
 #include "stability/subject.h"
 #include "stability/surfaces.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 using exact::Quad;
 using glm::dvec3;
 using glm::vec3;
-using test::TestRay;
 
 shared::Triangle sphereOf(vec3 centre, float radius, std::uint32_t id) {
   return {centre, id, vec3(radius), 0, vec3(0.0F), shared::IS_SPHERE};
@@ -254,4 +253,4 @@ LAVER_STABILITY(SphereContact, "Spheres that touch cast their whole shadow") {
 }
 
 }  // namespace
-}  // namespace laver::stability
+}  // namespace laver::test

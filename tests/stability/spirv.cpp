@@ -9,7 +9,7 @@
 #include "stability/record.h"
 #include "stability/spirv_lint.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 std::string disassembly(const std::string& name) {
@@ -108,4 +108,4 @@ TEST(SpirvLint, FindsEachKindOfFault) {
 }
 
 }  // namespace
-}  // namespace laver::stability
+}  // namespace laver::test

@@ -16,7 +16,9 @@ namespace laver {
 
 std::span<const std::uint32_t> traceSpirvOf(const std::string& kernel);
 
-namespace test {
+}  // namespace laver
+
+namespace laver::test {
 namespace {
 
 /// Of one dispatch: 32 MiB of rays.
@@ -149,5 +151,4 @@ std::vector<std::uint32_t> RayTracer::visible(glm::vec3 light, std::span<const g
 double RayTracer::seconds() const { return impl_->seconds; }
 std::uint32_t RayTracer::incomplete() const { return impl_->incomplete; }
 
-}  // namespace test
-}  // namespace laver
+}  // namespace laver::test

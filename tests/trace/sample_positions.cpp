@@ -13,7 +13,9 @@ namespace laver {
 
 std::span<const std::uint32_t> traceSpirvOf(const std::string& kernel);
 
-namespace test {
+}  // namespace laver
+
+namespace laver::test {
 namespace {
 
 using Kind = Sampler::Kind;
@@ -118,5 +120,4 @@ std::vector<Film> films() {
 INSTANTIATE_TEST_SUITE_P(Films, SamplePositions, testing::ValuesIn(films()));
 
 }  // namespace
-}  // namespace test
-}  // namespace laver
+}  // namespace laver::test

@@ -6,6 +6,7 @@
 #include "reference/tree.h"
 #include "render/scene_data.h"
 #include "render/traversal.h"
+#include "support/bumpy_sphere.h"
 #include "trace/ray_tracer.h"
 
 namespace laver::test {
@@ -13,9 +14,9 @@ namespace {
 
 using glm::vec3;
 
-Scene bumpyBall() {
+Scene closedBumpySphere() {
   Scene scene;
-  scene.meshes.push_back(ball(24, 40, 0.05, {3.0, 0.0, 0.0}));
+  scene.meshes.push_back(bumpySphere(24, 40, 0.05, {3.0, 0.0, 0.0}));
   return scene;
 }
 
@@ -42,7 +43,7 @@ class TraceRays : public testing::Test {
 
   Instance instance_{false};
   Device device_{choosePhysicalDevice(instance_, "cpu")};
-  SceneData scene_ = packScene(bumpyBall(), {}, specialise(bumpyBall(), {}));
+  SceneData scene_ = packScene(closedBumpySphere(), {}, specialise(closedBumpySphere(), {}));
   RayTracer lane_{device_, scene_.bvh, "lane"};
   std::mt19937 engine_{17};
 };

@@ -4,8 +4,10 @@
 
 #include "reference/filter.h"
 
-namespace laver::reference {
+namespace laver::test {
 namespace {
+
+using namespace reference;
 
 Filter filterOf(Filter::Kind kind, double radius) {
   Filter filter;
@@ -101,4 +103,4 @@ TEST(ReferenceFilter, LastEntryOfTheTableIsZero) {
 }
 
 }  // namespace
-}  // namespace laver::reference
+}  // namespace laver::test

@@ -6,7 +6,7 @@
 #include "render/projection.h"
 #include "render/specialise.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
 
 SceneData packed(const Scene& scene) { return packScene(scene, {}, specialise(scene, {})); }
@@ -166,4 +166,4 @@ TEST(FootprintParts, AreFewWhereTheyAreDearAndTightWhereNot) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "scene/obj_data.h"
-#include "unit/scene_files.h"
+#include "support/scene_files.h"
 
 namespace {
 using namespace laver;

@@ -7,17 +7,18 @@
 #include "core/error.h"
 #include "reference/filter.h"
 #include "reference/reference.h"
-#include "reference_scenes.h"
+#include "support/bumpy_sphere.h"
+#include "unit/reference_scenes.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
 
 Scene bumpyScene(Filter::Kind kind, double radius, std::uint32_t samples) {
   Scene scene;
   scene.integrator = Integrator::DirectWhitted;
-  scene.meshes = {test::bumpySphere(12, 16, 1)};
+  scene.meshes = {bumpySphere(12, 16, 0.1, glm::dvec3(0.0))};
   scene.lights = {{{3, 4, 5}, glm::dvec3(50, 40, 30)}};
-  scene.camera = test::downCamera({0, 0, 4}, 40, 70);
+  scene.camera = downCamera({0, 0, 4}, 40, 70);
   scene.filter.kind = kind;
   scene.filter.radius = radius;
   scene.sampler = {samples, 3};
@@ -109,7 +110,7 @@ TEST_P(ReferenceRender, ThreadsDoNotMatter) {
 TEST_P(ReferenceRender, FlatFieldIsExactlyOne) {
   Scene scene = this->scene(2);
   scene.integrator = Integrator::Normals;
-  scene.meshes = {test::square(10, 0)};
+  scene.meshes = {square(10, 0)};
   const Image image = Reference(scene).render(options());
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
@@ -157,7 +158,7 @@ TEST(ReferenceFilm, BatchesOfSamplesDoNotShow) {
 
 TEST(ReferenceFilm, UnusableSamplesAreDroppedWithTheirWeight) {
   Scene scene = bumpyScene(Filter::Kind::Gaussian, 2.0, 2);
-  scene.meshes = {test::square(10, 0)};
+  scene.meshes = {square(10, 0)};
   scene.meshes[0].bsdf.albedo = glm::dvec3(1);
   const Image clean = Reference(scene).render();
   for (const double bad :
@@ -248,4 +249,4 @@ TEST(ReferenceFilm, ProgressRisesToOne) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

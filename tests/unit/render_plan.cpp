@@ -3,7 +3,7 @@
 #include "render/plan.h"
 #include "render/traversal.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
 
 VkPhysicalDeviceLimits lavapipeLimits() {
@@ -136,4 +136,4 @@ TEST(PacketWindow, NarrowsWithThePrimitivesAndHolds) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

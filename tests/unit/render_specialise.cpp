@@ -2,7 +2,7 @@
 
 #include "render/specialise.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
 
 TEST(Specialise, AStackIsOnlyEverMadeDeeperAndBySteps) {
@@ -119,4 +119,4 @@ TEST(Specialise, WhatASceneDoesNotNeedIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

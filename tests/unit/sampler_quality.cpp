@@ -7,8 +7,10 @@
 
 #include "reference/sampler.h"
 
-namespace laver::reference {
+namespace laver::test {
 namespace {
+
+using namespace reference;
 
 using Kind = Sampler::Kind;
 
@@ -151,4 +153,4 @@ TEST_P(Uniform, OtherSeedsAreOtherSamples) {
 INSTANTIATE_TEST_SUITE_P(Samplers, Uniform, testing::Values(Kind::Stratified, Kind::Sobol));
 
 }  // namespace
-}  // namespace laver::reference
+}  // namespace laver::test

@@ -2,7 +2,7 @@
 
 #include "render/sampler_data.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
 
 constexpr std::uint64_t kMultiplier = 6364136223846793005ULL;
@@ -69,4 +69,4 @@ TEST(SamplerTables, EveryLevelReachesTheSamplesOwnNumber) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

@@ -1,13 +1,11 @@
 // Another reconstruction filter than the scene's, as --filter asks for.
-#include "unit/scene_files.h"
+#include "support/scene_files.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
 
-using namespace scene_test;
-
 Filter filterWith(Filter::Kind kind, const char* rfilter) {
-  const Files files;
+  const SceneFiles files;
   SceneOverrides overrides;
   overrides.filter = kind;
   return files
@@ -26,7 +24,7 @@ TEST(SceneFilter, AnOverrideHasTheDefaultsOfItsKind) {
 }
 
 TEST(SceneFilter, NamesAndDefaultsAreTheXmls) {
-  const Files files;
+  const SceneFiles files;
   for (const char* name : {"gaussian", "mitchell", "tent", "box"}) {
     const auto filter = filterFromName(name);
     ASSERT_TRUE(filter);
@@ -43,4 +41,4 @@ TEST(SceneFilter, NamesAndDefaultsAreTheXmls) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test
