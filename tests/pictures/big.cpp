@@ -3,6 +3,7 @@
 
 #include "pictures/harness.h"
 #include "reference/reference.h"
+#include "support/bumpy_sphere.h"
 
 namespace laver::test {
 namespace {
@@ -17,7 +18,7 @@ TEST(FullBig, TenMillionTriangles) {
   Stats stats;
   const Image image = Renderer(cpuDevice()).render(scene, {}, stats).image;
   EXPECT_EQ(stats.triangles, scene.meshes[0].triangles.size());
-  // The ball's nearest point is 3 units away, give or take its bumps of 0.05.
+  // The sphere's nearest point is 3 units away, give or take its bumps of 0.05.
   EXPECT_NEAR(image.at(32, 32, 0), 1.0F / 3.0F, 0.01F);
   EXPECT_EQ(image.at(0, 0, 0), 0.0F);
 }
@@ -33,7 +34,7 @@ TEST(FullBig, SixtyFiveThousandSamplesAPixel) {
 TEST(FullBig, AFilmOf16384Pixels) {
   // Bands of its last rows; the whole film differs in their number only.
   Scene scene;
-  scene.meshes = {ball(60, 90, 0.05, glm::dvec3(0.0, 0.0, 3.0))};
+  scene.meshes = {bumpySphere(60, 90, 0.05, glm::dvec3(0.0, 0.0, 3.0))};
   scene.camera.width = scene.camera.height = 16384;
   scene.camera.fov = 20.0;
   RenderOptions options;

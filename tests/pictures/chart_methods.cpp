@@ -8,14 +8,17 @@
 #include "pictures/harness.h"
 #include "render/packed.h"
 #include "shared/triangle.h"
+#include "support/bumpy_sphere.h"
 
-namespace laver::chart {
+namespace laver::test {
 namespace {
 
-/// A closed ball before the camera.
+using namespace chart;
+
+/// A closed sphere before the camera.
 Scene ballScene() {
   Scene scene;
-  scene.meshes.push_back(test::ball(40, 60, 0.05, {0.0, 0.0, 0.0}));
+  scene.meshes.push_back(bumpySphere(40, 60, 0.05, {0.0, 0.0, 0.0}));
   scene.camera.width = scene.camera.height = 64;
   scene.camera.toWorld[3] = {0.0, 0.0, -5.0, 1.0};
   return scene;
@@ -42,7 +45,7 @@ TEST(ChartMethods, QuantisedNodesHoldWhatTheyStandFor) {
         }
         count += 3;
       }
-    // At most a step of 2 / 255 of the ball on each side, and far less in small nodes.
+    // At most a step of 2 / 255 of the sphere on each side, and far less in small nodes.
     EXPECT_GT(grown, 0.0);
     EXPECT_LT(grown / count, 0.01);
   }
@@ -167,4 +170,4 @@ TEST(ChartMethods, AWrongAnswerIsNotExcused) {
 }
 
 }  // namespace
-}  // namespace laver::chart
+}  // namespace laver::test

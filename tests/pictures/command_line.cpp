@@ -8,7 +8,7 @@
 namespace laver::test {
 namespace {
 
-TEST_F(CommandLine, TheHandOutsFirstScene) {
+TEST_F(CommandLine, RendersTheFirstSceneOfTheHandOut) {
   write("test.xml", kFirstScene);
   const Outcome run = laver("test.xml --nogui --device cpu");
   EXPECT_EQ(run.code, 0) << run.err;

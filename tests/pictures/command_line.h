@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <set>
-#include <sstream>
 #include <string>
+
+#include "support/temporary_folder.h"
 
 namespace laver::test {
 
@@ -19,22 +19,9 @@ struct Outcome {
   std::string out, err;
 };
 
-inline std::string contents(const fs::path& file) {
-  std::ifstream in(file);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
 /// An empty folder and the binary to run in it.
-class CommandLine : public testing::Test {
+class CommandLine : public testing::Test, protected TemporaryFolder {
  protected:
-  CommandLine() {
-    std::string name = (fs::temp_directory_path() / "laver-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
-  ~CommandLine() override { fs::remove_all(folder_); }
-
   /// Runs `laver ARGUMENTS` in the test's folder, with what is written before it (variables,
   /// limits) and redirections after it.
   Outcome laver(const std::string& arguments, const std::string& variables = "",
@@ -45,14 +32,9 @@ class CommandLine : public testing::Test {
     const int status = std::system(command.c_str());
     return {WEXITSTATUS(status), contents(folder_ / "out.txt"), contents(folder_ / "err.txt")};
   }
-  void write(const std::string& name, const std::string& text) {
-    std::ofstream(folder_ / name) << text;
-  }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
   /// Names in the folder, hidden ones too, without the two that laver() makes.
   std::set<std::string> files() const {
-    std::set<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder_)) names.insert(entry.path().filename());
+    std::set<std::string> names = TemporaryFolder::names();
     names.erase("out.txt");
     names.erase("err.txt");
     return names;
@@ -61,7 +43,7 @@ class CommandLine : public testing::Test {
     return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
   }
 
-  fs::path folder_;
+  const fs::path folder_ = TemporaryFolder::path();
 };
 
 /// The hand-out's first scene.

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "pictures/harness.h"
+#include "support/bumpy_sphere.h"
 
 namespace laver::test {
 namespace {
@@ -70,9 +71,9 @@ TEST(Device, AFlatFieldIsFlatWithEveryFilter) {
 }
 
 TEST(Device, APacketThatMeetsTooMuchIsTracedRayByRay) {
-  // One packet sees all of a fine ball: more turns than lavapipe runs.
+  // One packet sees all of a fine sphere: more turns than lavapipe runs.
   Scene scene;
-  scene.meshes = {ball(250, 500, 0.05, glm::dvec3(0.0, 0.0, 250.0))};
+  scene.meshes = {bumpySphere(250, 500, 0.05, glm::dvec3(0.0, 0.0, 250.0))};
   scene.camera.width = scene.camera.height = 8;
   scene.camera.fov = 0.5;
   scene.lights = {{glm::dvec3(0.0), glm::dvec3(1e6)}};

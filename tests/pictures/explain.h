@@ -30,8 +30,8 @@ void expectTraversalsMatch(const Scene& scene, double tolerance);
 double movedBy(const Scene& scene, const Reference& reference);
 
 /// By how much a drawn direction may be turned, in radians: the error of the shading normal that it
-/// is drawn around, 25 * 2^-24 at triangles that are no slivers (stability, case 9). The numbers
-/// that choose it move by no more.
+/// is drawn around, 25 * 2^-24 at triangles that are no slivers (the stability case Slivers). The
+/// numbers that choose it move by no more.
 inline constexpr double kTurn = 25.0 / (1 << 24);
 
 }  // namespace laver::test

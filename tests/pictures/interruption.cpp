@@ -123,7 +123,7 @@ TEST_F(Interruption, CtrlCWritesWhatThereIsUnderAnotherName) {
   endsEarly(arguments, SIGINT, 130);
 }
 
-TEST_F(Interruption, SigtermDoesSoTooAndTheReferenceAsWell) {
+TEST_F(Interruption, SigtermEndsAReferenceRenderWithItsPicture) {
   auto arguments = longRender();
   arguments.emplace_back("--reference");
   endsEarly(arguments, SIGTERM, 143);

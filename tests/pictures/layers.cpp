@@ -127,13 +127,13 @@ TEST(Layers, HoldTheSignsOfNormals) {
 }
 
 TEST(Layers, ArePositionsInTheScenesOwnSpaceAndTrianglesOfTheirMesh) {
-  // Two balls, far from 0 and large; the second is seen through the film's centre.
+  // Two spheres, far from 0 and large; the second is seen through the film's centre.
   Scene scene;
   scene.camera.width = scene.camera.height = 33;
   scene.camera.toWorld = glm::dmat4(1.0);
   scene.camera.toWorld[3] = glm::dvec4(5000.0, 100.0, -10.0, 1.0);
-  scene.meshes = {ball(8, 8, 0.0, glm::dvec3(5050.0, 100.0, 0.0)),
-                  ball(40, 40, 0.0, glm::dvec3(5000.0, 100.0, 0.0))};
+  scene.meshes = {bumpySphere(8, 8, 0.0, glm::dvec3(5050.0, 100.0, 0.0)),
+                  bumpySphere(40, 40, 0.0, glm::dvec3(5000.0, 100.0, 0.0))};
   const Image image = render(scene, cpuDevice(), allLayers());
   const Image at = channelsOf(image, {"Z", "P.X", "P.Y", "P.Z", "shape_index", "prim_index"});
   EXPECT_NEAR(at.at(16, 16, 0), 9.0F, 0.01F);

@@ -1,6 +1,7 @@
 // The integrators av and ao beyond the ready scenes: lengths, both traversals, crops.
 #include "pictures/explain.h"
 #include "pictures/harness.h"
+#include "support/bumpy_sphere.h"
 
 namespace laver::test {
 namespace {
@@ -46,7 +47,7 @@ TEST(Occlusion, EveryLengthEqualsTheReference) {
 TEST(Occlusion, AmbientOcclusionInTheOpen) {
   Scene scene = insideABall(integrators::ambientOcclusion);
   scene.meshes.erase(scene.meshes.begin());
-  scene.meshes.push_back(ball(12, 20, 0.2, glm::dvec3(1.0, 0.5, 0.4)));
+  scene.meshes.push_back(bumpySphere(12, 20, 0.2, glm::dvec3(1.0, 0.5, 0.4)));
   expectTraversalsMatch(scene, 1e-4);
   EXPECT_GT(mean(render(scene)), 0.1);
 }

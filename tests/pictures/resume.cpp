@@ -199,16 +199,16 @@ TEST_F(Resume, AnotherSceneOrCountIsRefused) {
   EXPECT_EQ(reasonOf(scene, other, Keep::Always), changed);
   EXPECT_EQ(reasonOf(scene, scene, Keep::Always), "");
 
-  Scene ball = scene;
-  ball.meshes.emplace_back().sphere = Sphere{glm::dvec3(0.0, 0.4, 0.0), 0.2};
-  EXPECT_EQ(reasonOf(scene, ball, Keep::Always), changed);
-  other = ball;
+  Scene withSphere = scene;
+  withSphere.meshes.emplace_back().sphere = Sphere{glm::dvec3(0.0, 0.4, 0.0), 0.2};
+  EXPECT_EQ(reasonOf(scene, withSphere, Keep::Always), changed);
+  other = withSphere;
   other.meshes.back().sphere->centre.y += 1e-6;
-  EXPECT_EQ(reasonOf(ball, other, Keep::Always), changed);
-  other = ball;
+  EXPECT_EQ(reasonOf(withSphere, other, Keep::Always), changed);
+  other = withSphere;
   other.meshes.back().sphere->radius += 1e-6;
-  EXPECT_EQ(reasonOf(ball, other, Keep::Always), changed);
-  EXPECT_EQ(reasonOf(ball, ball, Keep::Always), "");
+  EXPECT_EQ(reasonOf(withSphere, other, Keep::Always), changed);
+  EXPECT_EQ(reasonOf(withSphere, withSphere, Keep::Always), "");
 }
 
 }  // namespace

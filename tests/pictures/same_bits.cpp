@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "pictures/harness.h"
+#include "support/bumpy_sphere.h"
 
 namespace laver::test {
 namespace {
@@ -80,7 +81,7 @@ TEST(SameBits, LaneAndPackets) {
   }
 }
 
-TEST(SameBits, TheWholeFilmOrWhatSeesSomething) {
+TEST(SameBits, WholeFilmOrItsVisibleRegion) {
   VulkanOptions whole = cpuDevice();
   whole.wholeFilm = true;
   std::size_t less = 0;
@@ -99,7 +100,7 @@ TEST(SameBits, TheWholeFilmOrWhatSeesSomething) {
   EXPECT_GT(less, 4U);
 }
 
-TEST(SameBits, TheWholeFilmOrASpeckInBandsAndCrops) {
+TEST(SameBits, WholeFilmOrASmallVisibleRegionInBandsAndCrops) {
   VulkanOptions whole = cpuDevice();
   whole.wholeFilm = true;
   Scene scene = smallScene("bunny-whitted.xml", 150, 20);

@@ -4,11 +4,12 @@
 
 #include "pictures/explain.h"
 #include "pictures/harness.h"
+#include "support/bumpy_sphere.h"
 
 namespace laver::test {
 namespace {
 
-/// A ball lit from afar, one sample a pixel; the light is as bright on it at any distance.
+/// A sphere lit from afar, one sample a pixel; the light is as bright on it at any distance.
 Scene litBall(double bump, double distance) {
   const glm::dvec3 centre(0.3, 0.2, 0.1);
   Scene scene;

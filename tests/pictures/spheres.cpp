@@ -5,6 +5,7 @@
 #include "lab/explain/explain.h"
 #include "pictures/explain.h"
 #include "pictures/harness.h"
+#include "support/bumpy_sphere.h"
 
 namespace laver::test {
 namespace {
@@ -24,7 +25,7 @@ Scene someSpheres(const IntegratorRow& integrator) {
     const double a = 2.4 * i, z = 1.0 - 2.0 * (i + 0.5) / 40.0, r = std::sqrt(1.0 - z * z);
     scene.meshes.push_back(sphere(glm::dvec3(r * std::cos(a), r * std::sin(a), z) * 0.8,
                                   0.3 * std::pow(0.8, i), 0.02 * i));
-    if (i == 20) scene.meshes.push_back(ball(24, 40, 0.05, glm::dvec3(0.2, 0.1, 0.0)));
+    if (i == 20) scene.meshes.push_back(bumpySphere(24, 40, 0.05, glm::dvec3(0.2, 0.1, 0.0)));
   }
   for (glm::dvec3& p : scene.meshes[21].positions) p *= 1.4;
   for (glm::uvec3& t : scene.meshes[21].triangles) std::swap(t.x, t.y);

@@ -7,6 +7,7 @@
 #include "pictures/harness.h"
 #include "render/choices.h"
 #include "render/texture_data.h"
+#include "support/bumpy_sphere.h"
 #include "unit/reference_scenes.h"
 
 namespace laver::test {
@@ -97,7 +98,7 @@ TEST(Textures, AllKindsInOneScene) {
 
 TEST(Textures, ASmoothMeshWithoutCoordinates) {
   Scene scene = sheet(showing(noise(4, 4, false)));
-  scene.meshes[0] = ball(9, 14, 0.1, {0, 0, 0});
+  scene.meshes[0] = bumpySphere(9, 14, 0.1, {0, 0, 0});
   for (const dvec3& p : scene.meshes[0].positions)
     scene.meshes[0].normals.push_back(glm::normalize(p));
   scene.meshes[0].bsdf.texture = showing(noise(4, 4, false));

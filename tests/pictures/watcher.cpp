@@ -56,7 +56,7 @@ TEST(Watcher, SeesTheFirstPictureOnlyAndACropFromItsTop) {
   EXPECT_EQ(differingFloats(seen.picture, render(scene, cpuDevice(), alone)), 0U);
 }
 
-TEST(Watcher, SeesTheReferenceToo) {
+TEST(Watcher, SeesAReferenceRender) {
   // The reference takes 2^18 samples at once: 64 a pixel of 64 x 64.
   const Scene scene = smallScene("cornell-two-lights.xml", 64, 192);
   Seen seen;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace laver::stability::exact {
+namespace laver::test::exact {
 namespace {
 
 using Vec = std::array<Quad, 3>;
@@ -88,4 +88,4 @@ double ulps(float value, double truth) {
   return std::abs(static_cast<double>(value) - truth) / ulp;
 }
 
-}  // namespace laver::stability::exact
+}  // namespace laver::test::exact

@@ -5,7 +5,7 @@
 
 /// Ground truths of higher precision than what they judge; inputs are the kernels' floats, taken as
 /// exact.
-namespace laver::stability::exact {
+namespace laver::test::exact {
 
 #ifdef __SIZEOF_FLOAT128__
 __extension__ using Quad = __float128;  // 113 bits
@@ -35,4 +35,4 @@ glm::dvec3 normal(const shared::Triangle& triangle);
 /// Distance of a float from the truth in units of the last place that a float of that size has.
 double ulps(float value, double truth);
 
-}  // namespace laver::stability::exact
+}  // namespace laver::test::exact

@@ -5,8 +5,9 @@
 
 #include "core/parallel.h"
 #include "pictures/harness.h"
+#include "support/bumpy_sphere.h"
 
-namespace laver::stability {
+namespace laver::test {
 
 ClosedMesh closedMesh(std::vector<glm::vec3> positions, std::vector<glm::uvec3> triangles) {
   ClosedMesh mesh{std::move(positions), std::move(triangles), {}};
@@ -43,11 +44,11 @@ Bvh inListedOrder(const ClosedMesh& mesh) {
   return bvh;
 }
 
-ClosedMesh bumpyBall(double radius, glm::dvec3 centre) {
-  const Mesh ball = test::ball(200, 205, 0.02, glm::dvec3(0.0));
+ClosedMesh closedBumpySphere(double radius, glm::dvec3 centre) {
+  const Mesh sphere = bumpySphere(200, 205, 0.02, glm::dvec3(0.0));
   std::vector<glm::vec3> positions;
-  for (const glm::dvec3& p : ball.positions) positions.emplace_back(centre + radius * p);
-  return closedMesh(std::move(positions), ball.triangles);
+  for (const glm::dvec3& p : sphere.positions) positions.emplace_back(centre + radius * p);
+  return closedMesh(std::move(positions), sphere.triangles);
 }
 
 glm::vec3 aimedRay(const ClosedMesh& mesh, glm::vec3 origin, bool vertex, std::mt19937& random) {
@@ -69,4 +70,4 @@ void forBatches(std::uint64_t count, std::uint64_t batch, std::uint64_t seed,
   });
 }
 
-}  // namespace laver::stability
+}  // namespace laver::test

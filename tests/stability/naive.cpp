@@ -4,12 +4,12 @@
 
 #include "stability/twin/walk.h"
 
-namespace laver::stability::naive {
+namespace laver::test::naive {
 
 using glm::vec3;
 
 bool moellerTrumbore(vec3 origin, vec3 direction, const shared::Triangle& triangle, float mint,
-                     float maxt, test::TestHit& hit) {
+                     float maxt, TestHit& hit) {
   const vec3 edge1 = triangle.b - triangle.a, edge2 = triangle.c - triangle.a;
   const vec3 p = glm::cross(direction, edge2);
   const float det = glm::dot(edge1, p);
@@ -61,7 +61,7 @@ bool meets(const Bvh& bvh, vec3 origin, vec3 direction, Method method) {
                                                 : shared::BoxSpan{0, 1, 0};
       },
       [&](const shared::Triangle& t, float&) {
-        test::TestHit hit;
+        TestHit hit;
         found = method == Method::WoopContracted
                     ? woopContracted(origin, direction, t)
                     : moellerTrumbore(origin, direction, t, 0.0F, INFINITY, hit);
@@ -70,4 +70,4 @@ bool meets(const Bvh& bvh, vec3 origin, vec3 direction, Method method) {
   return found;
 }
 
-}  // namespace laver::stability::naive
+}  // namespace laver::test::naive

@@ -5,12 +5,12 @@
 #include "stability/twin/twin.h"
 
 /// The usual methods, written plainly as most renderers have them: what the suite shows to fail.
-namespace laver::stability::naive {
+namespace laver::test::naive {
 
 /// Moeller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997, in float with
 /// Nori's limits: |det| < 1e-8 is a miss. True for mint <= t <= maxt.
 bool moellerTrumbore(glm::vec3 origin, glm::vec3 direction, const shared::Triangle& triangle,
-                     float mint, float maxt, test::TestHit& hit);
+                     float mint, float maxt, TestHit& hit);
 
 /// Woop, Benthin and Wald's edge functions with one of two products fused, as a compiler that
 /// contracts leaves them.
@@ -24,4 +24,4 @@ bool slabs(glm::vec3 origin, glm::vec3 direction, glm::vec3 lo, glm::vec3 hi);
 enum class Method { MoellerTrumbore, WoopContracted, Slabs };
 bool meets(const Bvh& bvh, glm::vec3 origin, glm::vec3 direction, Method method);
 
-}  // namespace laver::stability::naive
+}  // namespace laver::test::naive

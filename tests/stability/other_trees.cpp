@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace laver::stability {
+namespace laver::test {
 
 Bvh withShuffledChildren(Bvh bvh, std::mt19937& random) {
   for (shared::Node& node : bvh.nodes)
@@ -42,4 +42,4 @@ Bvh withTwoChildren(const Bvh& bvh) {
   return two;
 }
 
-}  // namespace laver::stability
+}  // namespace laver::test

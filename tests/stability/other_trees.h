@@ -3,7 +3,7 @@
 
 #include "bvh/bvh.h"
 
-namespace laver::stability {
+namespace laver::test {
 
 /// Trees over the same triangles that a ray visits in other orders.
 Bvh withShuffledChildren(Bvh bvh, std::mt19937& random);
@@ -12,4 +12,4 @@ Bvh fromShuffledTriangles(std::span<const shared::Triangle> from, std::mt19937& 
 /// Nodes of two children: each node of up to eight becomes a chain.
 Bvh withTwoChildren(const Bvh& bvh);
 
-}  // namespace laver::stability
+}  // namespace laver::test

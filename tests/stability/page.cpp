@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 std::string escaped(const std::string& text) {
@@ -50,13 +50,13 @@ std::string page(const nlohmann::json& cases) {
   for (const auto& c : cases)
     for (const auto& row : c["rows"])
       html += fmt::format(
-          "<tr{}><td>{} {}</td><td class=\"text\">{}</td><td class=\"text\">{}</td><td>{}</td>"
+          "<tr{}><td>{}: {}</td><td class=\"text\">{}</td><td class=\"text\">{}</td><td>{}</td>"
           "<td>{}</td><td>{}</td><td>{}</td><td class=\"text\">{}</td><td>{:.1f}</td></tr>\n",
-          row["passed"].get<bool>() ? "" : " class=\"failed\"", c["case"].get<int>(),
-          escaped(c["title"].get<std::string>()), escaped(row["what"].get<std::string>()),
-          escaped(row["subject"].get<std::string>()), figure(row["rays"]), figure(row["naive"]),
-          figure(row["ours"]), figure(row["wanted"]), escaped(row["unit"].get<std::string>()),
-          row["seconds"].get<double>());
+          row["passed"].get<bool>() ? "" : " class=\"failed\"",
+          escaped(c["case"].get<std::string>()), escaped(c["title"].get<std::string>()),
+          escaped(row["what"].get<std::string>()), escaped(row["subject"].get<std::string>()),
+          figure(row["rays"]), figure(row["naive"]), figure(row["ours"]), figure(row["wanted"]),
+          escaped(row["unit"].get<std::string>()), row["seconds"].get<double>());
   html += "</table>\n";
   for (const auto& c : cases)
     for (const auto& table : c["tables"]) {
@@ -75,14 +75,14 @@ std::string page(const nlohmann::json& cases) {
   for (const auto& c : cases)
     for (const auto& picture : c["pictures"])
       html += fmt::format(
-          "<h2>Case {}: {}</h2>\n<p>{}</p>\n"
+          "<h2>{}: {}</h2>\n<p>{}</p>\n"
           "<figure><img alt=\"the usual method\" src=\"{}\"><figcaption>the usual "
           "method</figcaption></figure>\n"
           "<figure><img alt=\"laver\" src=\"{}\"><figcaption>laver</figcaption></figure>\n",
-          c["case"].get<int>(), escaped(c["title"].get<std::string>()),
+          escaped(c["case"].get<std::string>()), escaped(c["title"].get<std::string>()),
           escaped(picture["caption"].get<std::string>()), picture["naive"].get<std::string>(),
           picture["ours"].get<std::string>());
   return html + "</body></html>\n";
 }
 
-}  // namespace laver::stability
+}  // namespace laver::test

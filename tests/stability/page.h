@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace laver::stability {
+namespace laver::test {
 
 /// One HTML page that needs no other file: the table, the tables of bounds, the pictures.
 std::string page(const nlohmann::json& cases);
@@ -10,4 +10,4 @@ std::string page(const nlohmann::json& cases);
 /// A figure as the tables show it.
 std::string figure(const nlohmann::json& value);
 
-}  // namespace laver::stability
+}  // namespace laver::test

@@ -9,7 +9,7 @@
 
 #include "image/io.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 std::filesystem::path folder() { return std::filesystem::path(LAVER_STABILITY_DIR) / "rows"; }
@@ -41,9 +41,9 @@ std::string dataUri(const Bitmap& bitmap) {
 
 }  // namespace
 
-Record::Record(int number, std::string title, bool full) {
+Record::Record(std::string name, std::string title, bool full) {
   std::filesystem::create_directories(folder());
-  json_ = {{"case", number},
+  json_ = {{"case", std::move(name)},
            {"title", std::move(title)},
            {"full", full},
            {"rows", nlohmann::json::array()},
@@ -52,11 +52,9 @@ Record::Record(int number, std::string title, bool full) {
 }
 
 Record::~Record() {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  json_["test"] = test->name();
   json_["passed"] = !testing::Test::HasFailure();
-  std::ofstream(folder() /
-                fmt::format("{}{}.json", json_["full"].get<bool>() ? "full-" : "", test->name()))
+  std::ofstream(folder() / fmt::format("{}{}.json", json_["full"].get<bool>() ? "full-" : "",
+                                       json_["case"].get<std::string>()))
       << json_.dump(1);
 }
 
@@ -100,4 +98,4 @@ std::uint64_t amount(bool full, std::uint64_t quick, std::uint64_t whole) {
   return full ? whole : quick;
 }
 
-}  // namespace laver::stability
+}  // namespace laver::test

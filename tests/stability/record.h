@@ -8,7 +8,7 @@
 
 #include "image/bitmap.h"
 
-namespace laver::stability {
+namespace laver::test {
 
 /// One line of the suite's table: a method that fails, and ours, on the same input.
 struct Row {
@@ -27,8 +27,8 @@ struct Row {
 /// show nothing.
 class Record {
  public:
-  /// `number` and `title` as in the suite's table; `full`: the slow form.
-  Record(int number, std::string title, bool full);
+  /// `name` and `title` as in the suite's table; `full`: the slow form.
+  Record(std::string name, std::string title, bool full);
   ~Record();
   Record(const Record&) = delete;
   Record& operator=(const Record&) = delete;
@@ -47,19 +47,18 @@ class Record {
 /// Input sizes of the quick and the full form; builds that are not optimised take a share of them.
 std::uint64_t amount(bool full, std::uint64_t quick, std::uint64_t whole);
 
-}  // namespace laver::stability
+}  // namespace laver::test
 
-/// Defines case NUMBER in its two forms, Stability.CaseNN_Name and FullStability.CaseNN_Name, from
-/// the body that follows, which has `record` and `full`.
-#define LAVER_STABILITY(number, name, title)                                  \
-  static void body##name(::laver::stability::Record& record, bool full);      \
-  TEST(Stability, Case##number##_##name) {                                    \
-    ::laver::stability::Record record(1##number - 100, title, false);         \
-    body##name(record, false);                                                \
-  }                                                                           \
-  TEST(FullStability, Case##number##_##name) {                                \
-    ::laver::stability::Record record(1##number - 100, title, true);          \
-    body##name(record, true);                                                 \
-  }                                                                           \
-  static void body##name([[maybe_unused]] ::laver::stability::Record& record, \
-                         [[maybe_unused]] bool full)
+/// Defines a case in its two forms, Stability.NAME and FullStability.NAME, from the body that
+/// follows, which has `record` and `full`.
+#define LAVER_STABILITY(name, title)                                \
+  static void body##name(::laver::test::Record& record, bool full); \
+  TEST(Stability, name) {                                           \
+    ::laver::test::Record record(#name, title, false);              \
+    body##name(record, false);                                      \
+  }                                                                 \
+  TEST(FullStability, name) {                                       \
+    ::laver::test::Record record(#name, title, true);               \
+    body##name(record, true);                                       \
+  }                                                                 \
+  static void body##name([[maybe_unused]] ::laver::test::Record& record, [[maybe_unused]] bool full)

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-/// All cases, by number; of one that ran in both forms, the full one.
+/// All cases by name; of one that ran in both forms, the full one.
 json readCases(const std::filesystem::path& folder) {
   std::vector<json> cases;
   if (std::filesystem::is_directory(folder))
@@ -23,23 +23,23 @@ json readCases(const std::filesystem::path& folder) {
       cases.push_back(json::parse(in));
     }
   const auto key = [](const json& c) {
-    return std::tuple(c["case"].get<int>(), c["test"].get<std::string>(), !c["full"].get<bool>());
+    return std::pair(c["case"].get<std::string>(), !c["full"].get<bool>());
   };
   std::sort(cases.begin(), cases.end(),
             [&](const json& a, const json& b) { return key(a) < key(b); });
-  const auto same = [](const json& a, const json& b) { return a["test"] == b["test"]; };
+  const auto same = [](const json& a, const json& b) { return a["case"] == b["case"]; };
   cases.erase(std::unique(cases.begin(), cases.end(), same), cases.end());
   return cases;
 }
 
 void print(const json& cases) {
-  fmt::print("{:>4}  {:44} {:20} {:>10} {:>10} {:>10} {:>8}  {:14} {:>7}\n", "case", "input",
+  fmt::print("{:14} {:44} {:20} {:>10} {:>10} {:>10} {:>8}  {:14} {:>7}\n", "case", "input",
              "text that ran", "rays", "naive", "ours", "wanted", "unit", "seconds");
-  using laver::stability::figure;
+  using laver::test::figure;
   for (const auto& c : cases)
     for (const auto& row : c["rows"])
-      fmt::print("{:>4}  {:44} {:20} {:>10} {:>10} {:>10} {:>8}  {:14} {:>7.1f}{}\n",
-                 c["case"].get<int>(), row["what"].get<std::string>(),
+      fmt::print("{:14} {:44} {:20} {:>10} {:>10} {:>10} {:>8}  {:14} {:>7.1f}{}\n",
+                 c["case"].get<std::string>(), row["what"].get<std::string>(),
                  row["subject"].get<std::string>(), figure(row["rays"]), figure(row["naive"]),
                  figure(row["ours"]), figure(row["wanted"]), row["unit"].get<std::string>(),
                  row["seconds"].get<double>(), row["passed"].get<bool>() ? "" : "  FAILED");
@@ -59,7 +59,7 @@ void report(const std::filesystem::path& folder) {
   json table = cases;
   for (auto& c : table) c.erase("pictures");
   std::ofstream(folder / "stability.json") << table.dump(1) << '\n';
-  std::ofstream(folder / "stability.html") << laver::stability::page(cases);
+  std::ofstream(folder / "stability.html") << laver::test::page(cases);
   fmt::print("\nWrote {0}/stability.json and {0}/stability.html\n", folder.string());
 }
 

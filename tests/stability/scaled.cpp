@@ -1,6 +1,6 @@
 #include "stability/scaled.h"
 
-namespace laver::stability {
+namespace laver::test {
 
 Scene scaled(Scene scene, double factor) {
   for (Mesh& mesh : scene.meshes)
@@ -32,4 +32,4 @@ std::uint64_t naiveLost(const Scene& scene, double factor) {
   return count;
 }
 
-}  // namespace laver::stability
+}  // namespace laver::test

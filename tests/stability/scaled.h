@@ -2,7 +2,7 @@
 #include "image/image.h"
 #include "scene/scene.h"
 
-namespace laver::stability {
+namespace laver::test {
 
 /// The scene with vertices, camera, clip planes and lights scaled; lights are brighter by the
 /// square, so that what arrives is the same.
@@ -15,4 +15,4 @@ void undoScale(const Scene& scene, double factor, Image& image);
 /// twice the area.
 std::uint64_t naiveLost(const Scene& scene, double factor);
 
-}  // namespace laver::stability
+}  // namespace laver::test

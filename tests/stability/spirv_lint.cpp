@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 /// Functions whose proofs count every rounding, with the number of their instructions that must
@@ -228,4 +228,4 @@ FunctionCounts preciseArithmetic(const KernelCounts& kernel) {
   return sum;
 }
 
-}  // namespace laver::stability
+}  // namespace laver::test

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace laver::stability {
+namespace laver::test {
 
 /// Counts over one function of a disassembled kernel.
 struct FunctionCounts {
@@ -35,4 +35,4 @@ double decoratedShare(const KernelCounts& kernel);
 /// Arithmetic of the kernel that must carry NoContraction, and how much of it does.
 FunctionCounts preciseArithmetic(const KernelCounts& kernel);
 
-}  // namespace laver::stability
+}  // namespace laver::test

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace laver::stability {
+namespace laver::test {
 
 /// The value that a share of the samples does not exceed; 0 of none.
 inline double percentile(std::vector<double> values, double share) {
@@ -25,4 +25,4 @@ inline std::string bounds(const std::vector<double>& values) {
   return fmt::format("{:.3g} / {:.3g}", percentile(values, 0.99), maximum(values));
 }
 
-}  // namespace laver::stability
+}  // namespace laver::test

@@ -9,11 +9,9 @@
 #include "render/renderer.h"
 #include "render/traversal.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
-using test::TestHit;
-using test::TestRay;
 using Clock = std::chrono::steady_clock;
 
 double since(Clock::time_point start) {
@@ -72,7 +70,7 @@ class DeviceSubject : public Subject {
   }
 
  private:
-  test::RayTracer tracer_;
+  RayTracer tracer_;
 };
 
 }  // namespace
@@ -94,4 +92,4 @@ std::vector<std::unique_ptr<Subject>> subjects(const Bvh& bvh) {
   return all;
 }
 
-}  // namespace laver::stability
+}  // namespace laver::test

@@ -4,14 +4,14 @@
 #include "stability/twin/twin.h"
 #include "trace/ray_tracer.h"
 
-namespace laver::stability {
+namespace laver::test {
 
 /// One way to run the kernels' text over a tree: a traversal of the device, or a C++ twin.
 class Subject {
  public:
   virtual ~Subject() = default;
   /// Hits of rays; each block of 64 has one origin.
-  virtual std::vector<test::TestHit> closest(std::span<const test::TestRay> rays) = 0;
+  virtual std::vector<TestHit> closest(std::span<const TestRay> rays) = 0;
   virtual std::vector<std::uint32_t> visible(glm::vec3 light,
                                              std::span<const glm::vec3> points) = 0;
 
@@ -28,8 +28,8 @@ std::vector<std::unique_ptr<Subject>> subjects(const Bvh& bvh);
 std::string testDevice();
 
 /// A ray without an end.
-inline test::TestRay rayOf(glm::vec3 origin, glm::vec3 direction) {
+inline TestRay rayOf(glm::vec3 origin, glm::vec3 direction) {
   return {origin, 0.0F, direction, 1e37F};
 }
 
-}  // namespace laver::stability
+}  // namespace laver::test

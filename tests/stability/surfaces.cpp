@@ -1,6 +1,6 @@
 #include "stability/surfaces.h"
 
-namespace laver::stability {
+namespace laver::test {
 
 Mesh gridMesh(int cells, const std::function<glm::dvec3(double, double)>& place) {
   Mesh mesh;
@@ -27,8 +27,8 @@ std::vector<shared::Triangle> listedTriangles(const Mesh& mesh) {
   return triangles;
 }
 
-glm::vec3 shadowPoint(const Subject& subject, const Bvh& bvh, const test::TestRay& ray,
-                      std::uint32_t id, glm::vec3 light) {
+glm::vec3 shadowPoint(const Subject& subject, const Bvh& bvh, const TestRay& ray, std::uint32_t id,
+                      glm::vec3 light) {
   static const Twin* const optimised = twins()[1];
   const Twin* twin = subject.twin != nullptr ? subject.twin : optimised;
   std::size_t slot = 0;
@@ -39,4 +39,4 @@ glm::vec3 shadowPoint(const Subject& subject, const Bvh& bvh, const test::TestRa
   return p.position + p.geometric * side;
 }
 
-}  // namespace laver::stability
+}  // namespace laver::test

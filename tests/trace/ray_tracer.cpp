@@ -172,5 +172,4 @@ std::vector<std::uint32_t> RayTracer::visible(glm::vec3 light, std::span<const g
 double RayTracer::seconds() const { return impl_->seconds; }
 std::uint32_t RayTracer::incomplete() const { return impl_->incomplete; }
 
-}  // namespace test
-}  // namespace laver
+}  // namespace laver::test

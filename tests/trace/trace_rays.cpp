@@ -6,6 +6,7 @@
 #include "reference/tree.h"
 #include "render/packed.h"
 #include "render/traversal.h"
+#include "support/bumpy_sphere.h"
 #include "trace/ray_tracer.h"
 
 namespace laver::test {
@@ -13,9 +14,9 @@ namespace {
 
 using glm::vec3;
 
-Scene bumpyBall() {
+Scene closedBumpySphere() {
   Scene scene;
-  scene.meshes.push_back(ball(24, 40, 0.05, {3.0, 0.0, 0.0}));
+  scene.meshes.push_back(bumpySphere(24, 40, 0.05, {3.0, 0.0, 0.0}));
   return scene;
 }
 

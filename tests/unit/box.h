@@ -2,7 +2,7 @@
 #include <glm/glm.hpp>
 #include <limits>
 
-namespace laver {
+namespace laver::test {
 
 /// Axis-aligned box; empty when lo > hi.
 struct Box {
@@ -27,4 +27,4 @@ struct Box {
   }
 };
 
-}  // namespace laver
+}  // namespace laver::test

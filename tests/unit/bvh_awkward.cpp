@@ -1,9 +1,9 @@
 #include <bit>
 #include <cmath>
 
-#include "bvh_soup.h"
+#include "unit/bvh_soup.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
 
 using shared::Triangle;
@@ -106,4 +106,4 @@ TEST(BvhAwkward, LargestFloats) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

@@ -1,6 +1,6 @@
-#include "bvh_soup.h"
+#include "unit/bvh_soup.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
 
 TEST(Bvh, NoTrianglesAreANodeWithoutChildren) {
@@ -46,4 +46,4 @@ TEST(Bvh, SahCostBeatsMedianHalving) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

@@ -4,9 +4,9 @@
 
 #include "bvh/slots.h"
 #include "bvh/wide.h"
-#include "bvh_soup.h"
+#include "unit/bvh_soup.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
 
 using shared::Triangle;
@@ -105,4 +105,4 @@ TEST(Slots, ChildrenAtOnePlaceGetSlotsOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

@@ -10,7 +10,7 @@
 #include "bvh/binary.h"
 #include "bvh/bvh.h"
 
-namespace laver {
+namespace laver::test {
 
 inline shared::Triangle triangle(glm::vec3 a, glm::vec3 b, glm::vec3 c, std::uint32_t id) {
   return {a, id, b, 0, c, 0};
@@ -111,4 +111,4 @@ inline bool same(const Bvh& a, const Bvh& b) {
                      a.triangles.size() * sizeof(shared::Triangle)) == 0;
 }
 
-}  // namespace laver
+}  // namespace laver::test

@@ -7,14 +7,12 @@
 #include <filesystem>
 #include <fstream>
 
-#include "unit/image_test_folder.h"
+#include "support/temporary_folder.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
 
 namespace fs = std::filesystem;
-using image_test::contents;
-using image_test::Folder;
 using Bytes = std::vector<std::byte>;
 
 VkPhysicalDeviceProperties device() {
@@ -45,21 +43,21 @@ void replace(const std::string& file, const std::string& text) {
 }
 
 TEST(CacheFile, GivesBackWhatWasWritten) {
-  const Folder folder;
-  const CacheFile file(folder.file("new/laver"), device());
+  const TemporaryFolder folder;
+  const CacheFile file(folder.path("new/laver"), device());
   EXPECT_EQ(file.read(), Bytes());
   file.write(pipelines());
-  EXPECT_EQ(CacheFile(folder.file("new/laver"), device()).read(), pipelines());
+  EXPECT_EQ(CacheFile(folder.path("new/laver"), device()).read(), pipelines());
   file.write(pipelines(5000));
   EXPECT_EQ(file.read(), pipelines(5000));
   // The file alone, and nobody else's business.
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder.file("new/laver")), {}), 1);
-  EXPECT_EQ(fs::status(folder.file("new/laver")).permissions(), fs::perms::owner_all);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path("new/laver")), {}), 1);
+  EXPECT_EQ(fs::status(folder.path("new/laver")).permissions(), fs::perms::owner_all);
 }
 
 TEST(CacheFile, EveryFlippedBitIsNoticed) {
-  const Folder folder;
-  const CacheFile file(folder.file("laver"), device());
+  const TemporaryFolder folder;
+  const CacheFile file(folder.path("laver"), device());
   file.write(pipelines());
   const std::string whole = contents(file.path());
   for (std::size_t i = 0; i < whole.size(); ++i) {
@@ -73,8 +71,8 @@ TEST(CacheFile, EveryFlippedBitIsNoticed) {
 }
 
 TEST(CacheFile, AFileCutShortOrTooLongIsNoticed) {
-  const Folder folder;
-  const CacheFile file(folder.file("laver"), device());
+  const TemporaryFolder folder;
+  const CacheFile file(folder.path("laver"), device());
   file.write(pipelines(100));
   const std::string whole = contents(file.path());
   for (std::size_t size = 0; size < whole.size(); ++size) {
@@ -90,8 +88,8 @@ TEST(CacheFile, AFileCutShortOrTooLongIsNoticed) {
 }
 
 TEST(CacheFile, OtherDriversHaveOtherFilesAndTheirDataAreRefused) {
-  const Folder folder;
-  const CacheFile file(folder.file("laver"), device());
+  const TemporaryFolder folder;
+  const CacheFile file(folder.path("laver"), device());
   file.write(pipelines());
   for (int what = 0; what < 4; ++what) {
     VkPhysicalDeviceProperties other = device();
@@ -99,7 +97,7 @@ TEST(CacheFile, OtherDriversHaveOtherFilesAndTheirDataAreRefused) {
     if (what == 1) other.deviceID = 1;
     if (what == 2) other.driverVersion = 1;
     if (what == 3) other.pipelineCacheUUID[15] = 1;
-    const CacheFile foreign(folder.file("laver"), other);
+    const CacheFile foreign(folder.path("laver"), other);
     EXPECT_NE(foreign.path(), file.path());
     EXPECT_EQ(foreign.read(), Bytes());
     // Its name alone is not believed; the driver's version stands nowhere else.
@@ -113,17 +111,17 @@ TEST(CacheFile, OtherDriversHaveOtherFilesAndTheirDataAreRefused) {
 }
 
 TEST(CacheFile, EmptyCachesAreNotWritten) {
-  const Folder folder;
-  const CacheFile file(folder.file("laver"), device());
+  const TemporaryFolder folder;
+  const CacheFile file(folder.path("laver"), device());
   file.write(pipelines(0));
   file.write({});
-  EXPECT_EQ(folder.size(), 0U);
+  EXPECT_EQ(folder.names().size(), 0U);
 }
 
 TEST(CacheFile, AFolderThatCannotBeIsAsGoodAsNone) {
-  const Folder folder;
-  replace(folder.file("file"), "no folder");
-  for (const std::string& place : {std::string(), folder.file("file"), folder.file("file/laver"),
+  const TemporaryFolder folder;
+  replace(folder.path("file"), "no folder");
+  for (const std::string& place : {std::string(), folder.path("file"), folder.path("file/laver"),
                                    std::string("/proc/laver")}) {
     const CacheFile file(place, device());
     file.write(pipelines());
@@ -154,4 +152,4 @@ TEST(CacheFile, ItsFolderIsTheOneOfTheVariables) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

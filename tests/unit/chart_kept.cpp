@@ -5,22 +5,22 @@
 #include "lab/chart/fingerprint.h"
 #include "lab/chart/kept.h"
 #include "lab/chart/truth.h"
-#include "unit/image_test_folder.h"
-#include "unit/scene_files.h"
+#include "support/expect_error.h"
+#include "support/scene_files.h"
+#include "support/temporary_folder.h"
 
-namespace laver::chart {
+namespace laver::test {
 namespace {
 
-using image_test::contents;
-using image_test::Folder;
+using namespace chart;
 
 nlohmann::json someValue() {
   return {{"seconds", {1.5, 2.5}}, {"pixels", nlohmann::json::binary({1, 2, 3, 250})}};
 }
 
 TEST(ChartKept, GivesBackWhatWasWritten) {
-  const Folder folder;
-  const Kept kept(folder.file("new/folder"));
+  const TemporaryFolder folder;
+  const Kept kept(folder.path("new/folder"));
   EXPECT_FALSE(kept.read("a"));
   kept.write("a", someValue());
   EXPECT_EQ(*kept.read("a"), someValue());
@@ -28,8 +28,8 @@ TEST(ChartKept, GivesBackWhatWasWritten) {
 }
 
 TEST(ChartKept, DamageOfAnyByteOrLengthCountsAsNothing) {
-  const Folder folder;
-  const Kept kept(folder.file("kept"));
+  const TemporaryFolder folder;
+  const Kept kept(folder.path("kept"));
   kept.write("a", someValue());
   const std::string whole = contents(kept.fileOf("a").string());
   const auto replace = [&](const std::string& bytes) {
@@ -50,30 +50,29 @@ TEST(ChartKept, DamageOfAnyByteOrLengthCountsAsNothing) {
 }
 
 TEST(ChartKept, AnotherKeyInItsFileCountsAsNothing) {
-  const Folder folder;
-  const Kept kept(folder.file("kept"));
+  const TemporaryFolder folder;
+  const Kept kept(folder.path("kept"));
   kept.write("a", someValue());
   std::filesystem::rename(kept.fileOf("a"), kept.fileOf("b"));
   EXPECT_FALSE(kept.read("b"));
 }
 
 TEST(ChartKept, AFolderThatCannotBeMadeIsAnError) {
-  const Folder folder;
-  std::ofstream(folder.file("file")) << "x";
-  image_test::expectError(ExitCode::Output, "cannot make the folder",
-                          [&] { Kept(folder.file("file/kept")); });
+  const TemporaryFolder folder;
+  std::ofstream(folder.path("file")) << "x";
+  expectError(ExitCode::Output, "cannot make the folder", [&] { Kept(folder.path("file/kept")); });
 }
 
 TEST(ChartFingerprint, ChangesWithTheSceneAndWithItsMeshes) {
-  const scene_test::Files files;
-  files.write("t.obj", scene_test::kTriangle);
-  const std::string file = files.write("s.xml", scene_test::scene(scene_test::mesh()));
+  const SceneFiles files;
+  files.write("t.obj", kTriangle);
+  const std::string file = files.write("s.xml", scene(mesh()));
   const std::string first = fingerprintOfScene(file);
   EXPECT_EQ(fingerprintOfScene(file), first);
-  files.write("t.obj", std::string(scene_test::kTriangle) + "v 1 1 1\n");
+  files.write("t.obj", std::string(kTriangle) + "v 1 1 1\n");
   const std::string second = fingerprintOfScene(file);
   EXPECT_NE(second, first);
-  files.write("s.xml", scene_test::scene(scene_test::mesh()) + "\n");
+  files.write("s.xml", scene(mesh()) + "\n");
   EXPECT_NE(fingerprintOfScene(file), second);
 }
 
@@ -83,14 +82,13 @@ class ChartTruth : public testing::Test {
   ChartTruth() {
     files_.write("t.obj", "v -1 -1 0\nv 1 -1 0\nv -1 1 0\nf 1 2 3\n");
     scene_ =
-        loadScene(
-            files_.write("s.xml",
-                         scene_test::scene(
-                             "<camera type=\"perspective\"><integer name=\"width\" value=\"12\"/>"
-                             "<integer name=\"height\" value=\"10\"/><transform name=\"toWorld\">"
-                             "<lookat origin=\"0,0,4\" target=\"0,0,0\" up=\"0,1,0\"/></transform>"
-                             "</camera>" +
-                             scene_test::mesh())))
+        loadScene(files_.write(
+                      "s.xml",
+                      scene("<camera type=\"perspective\"><integer name=\"width\" value=\"12\"/>"
+                            "<integer name=\"height\" value=\"10\"/><transform name=\"toWorld\">"
+                            "<lookat origin=\"0,0,4\" target=\"0,0,0\" up=\"0,1,0\"/></transform>"
+                            "</camera>" +
+                            mesh())))
             .scene;
     filters_ = {filterOf(filters::box), filterOf(filters::gaussian)};
   }
@@ -102,9 +100,9 @@ class ChartTruth : public testing::Test {
     return truthOf(scene_, filters_, options, kept_, "key");
   }
 
-  Folder folder_;
-  scene_test::Files files_;
-  Kept kept_{folder_.file("kept")};
+  TemporaryFolder folder_;
+  SceneFiles files_;
+  Kept kept_{folder_.path("kept")};
   Scene scene_;
   std::vector<Filter> filters_;
   std::vector<double> shares_;
@@ -143,8 +141,8 @@ TEST_F(ChartTruth, GoesOnWhereItWasStopped) {
   EXPECT_EQ(before, 37U);
   const auto resumed = make();
   EXPECT_EQ(shares_.size(), 128U);  // none is done twice
-  std::filesystem::remove_all(folder_.file("kept"));
-  std::filesystem::create_directory(folder_.file("kept"));
+  std::filesystem::remove_all(folder_.path("kept"));
+  std::filesystem::create_directory(folder_.path("kept"));
   const auto whole = make();
   for (std::size_t f = 0; f < 2; ++f) {
     EXPECT_EQ(resumed[f].image.pixels, whole[f].image.pixels);
@@ -160,4 +158,4 @@ TEST_F(ChartTruth, IsMadeOnce) {
 }
 
 }  // namespace
-}  // namespace laver::chart
+}  // namespace laver::test

@@ -6,7 +6,7 @@
 #include "render/scene_coverage.h"
 #include "render/specialise.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
 
 Packed packed(const Scene& scene) { return pack(scene, {}, uploadsOf(scene, {})); }
@@ -166,4 +166,4 @@ TEST(CoverageParts, AreFewWhereTheyAreDearAndTightWhereNot) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

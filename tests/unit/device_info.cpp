@@ -7,7 +7,7 @@
 #include "commands/device_text.h"
 #include "core/error.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
 
 DeviceInfo device(const char* name, VkPhysicalDeviceType type) {
@@ -128,4 +128,4 @@ TEST(DescribeDevice, SaysWhyItCannotBeUsed) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

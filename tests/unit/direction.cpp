@@ -5,8 +5,10 @@
 
 #include <numbers>
 
-namespace laver::shared {
+namespace laver::test {
 namespace {
+
+using namespace shared;
 
 TEST(Direction, CosinesAndSinesOfTurns) {
   double worst = 0;
@@ -69,4 +71,4 @@ TEST(Direction, ASmallTurnOfTheNormalTurnsTheDirectionLittle) {
 }
 
 }  // namespace
-}  // namespace laver::shared
+}  // namespace laver::test

@@ -4,7 +4,7 @@
 
 #include "reference/filter.h"
 
-namespace laver::reference {
+namespace laver::test {
 namespace {
 
 Filter filterOf(const FilterRow* kind, double radius) {
@@ -101,4 +101,4 @@ TEST(ReferenceFilter, LastEntryOfTheTableIsZero) {
 }
 
 }  // namespace
-}  // namespace laver::reference
+}  // namespace laver::test

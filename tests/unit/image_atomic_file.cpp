@@ -9,14 +9,11 @@
 
 #include "image/atomic_file.h"
 #include "image/io.h"
-#include "unit/image_test_folder.h"
+#include "support/expect_error.h"
+#include "support/temporary_folder.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
-
-using image_test::contents;
-using image_test::expectError;
-using image_test::Folder;
 
 std::span<const std::byte> bytesOf(const std::string& text) {
   return std::as_bytes(std::span(text.data(), text.size()));
@@ -29,84 +26,84 @@ mode_t modeOf(const std::string& file) {
 }
 
 TEST(AtomicFile, MakesANewFileAsTheUmaskSays) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const mode_t mask = umask(027);
-  replaceFile(folder.file("a"), bytesOf("new"));
+  replaceFile(folder.path("a"), bytesOf("new"));
   umask(mask);
-  EXPECT_EQ(contents(folder.file("a")), "new");
-  EXPECT_EQ(modeOf(folder.file("a")), 0640u);
-  EXPECT_EQ(folder.size(), 1u);
+  EXPECT_EQ(contents(folder.path("a")), "new");
+  EXPECT_EQ(modeOf(folder.path("a")), 0640u);
+  EXPECT_EQ(folder.names().size(), 1u);
 }
 
 TEST(AtomicFile, ReplacesAFileAndKeepsItsMode) {
-  const Folder folder;
-  std::ofstream(folder.file("a")) << "a longer old text";
-  chmod(folder.file("a").c_str(), 0604);
-  replaceFile(folder.file("a"), bytesOf("new"));
-  EXPECT_EQ(contents(folder.file("a")), "new");
-  EXPECT_EQ(modeOf(folder.file("a")), 0604u);
-  EXPECT_EQ(folder.size(), 1u);
+  const TemporaryFolder folder;
+  std::ofstream(folder.path("a")) << "a longer old text";
+  chmod(folder.path("a").c_str(), 0604);
+  replaceFile(folder.path("a"), bytesOf("new"));
+  EXPECT_EQ(contents(folder.path("a")), "new");
+  EXPECT_EQ(modeOf(folder.path("a")), 0604u);
+  EXPECT_EQ(folder.names().size(), 1u);
 }
 
 TEST(AtomicFile, KeepsTheOldFileUntilTheCommit) {
-  const Folder folder;
-  std::ofstream(folder.file("a")) << "old";
+  const TemporaryFolder folder;
+  std::ofstream(folder.path("a")) << "old";
   {
-    AtomicFile file(folder.file("a"));
+    AtomicFile file(folder.path("a"));
     file.write(bytesOf("new"));
-    EXPECT_EQ(contents(folder.file("a")), "old");
-    EXPECT_EQ(folder.size(), 2u);
+    EXPECT_EQ(contents(folder.path("a")), "old");
+    EXPECT_EQ(folder.names().size(), 2u);
   }
-  EXPECT_EQ(contents(folder.file("a")), "old");
-  EXPECT_EQ(folder.size(), 1u);
+  EXPECT_EQ(contents(folder.path("a")), "old");
+  EXPECT_EQ(folder.names().size(), 1u);
 }
 
 TEST(AtomicFile, AReaderOfTheOldFileKeepsIt) {
-  const Folder folder;
-  std::ofstream(folder.file("a")) << "old";
-  std::ifstream reader(folder.file("a"));
-  replaceFile(folder.file("a"), bytesOf("new"));
+  const TemporaryFolder folder;
+  std::ofstream(folder.path("a")) << "old";
+  std::ifstream reader(folder.path("a"));
+  replaceFile(folder.path("a"), bytesOf("new"));
   std::string text;
   reader >> text;
   EXPECT_EQ(text, "old");
 }
 
 TEST(AtomicFile, RefusesWhatIsNoRegularFile) {
-  const Folder folder;
-  const auto write = [&](const char* name) { replaceFile(folder.file(name), bytesOf("new")); };
-  std::filesystem::create_directory(folder.file("folder"));
+  const TemporaryFolder folder;
+  const auto write = [&](const char* name) { replaceFile(folder.path(name), bytesOf("new")); };
+  std::filesystem::create_directory(folder.path("folder"));
   expectError(ExitCode::Output, "folder\": Is a directory", [&] { write("folder"); });
 
-  ASSERT_EQ(mkfifo(folder.file("fifo").c_str(), 0600), 0);
+  ASSERT_EQ(mkfifo(folder.path("fifo").c_str(), 0600), 0);
   expectError(ExitCode::Output, "fifo\": Is not a regular file", [&] { write("fifo"); });
   expectError(ExitCode::Output, "no name", [&] { write("new/"); });
   expectError(ExitCode::Output, "no name", [&] { replaceFile("", bytesOf("x")); });
-  EXPECT_EQ(folder.size(), 2u);
+  EXPECT_EQ(folder.names().size(), 2u);
 }
 
 TEST(AtomicFile, NeedsTheFolder) {
-  const Folder folder;
+  const TemporaryFolder folder;
   expectError(ExitCode::Output, "away/a\": No such file or directory",
-              [&] { replaceFile(folder.file("away/a"), bytesOf("new")); });
-  std::ofstream(folder.file("a")) << "old";
+              [&] { replaceFile(folder.path("away/a"), bytesOf("new")); });
+  std::ofstream(folder.path("a")) << "old";
   expectError(ExitCode::Output, "a/b\": Not a directory",
-              [&] { replaceFile(folder.file("a/b"), bytesOf("new")); });
+              [&] { replaceFile(folder.path("a/b"), bytesOf("new")); });
 }
 
 TEST(AtomicFile, FailsCleanlyWhenTheFolderGoesAwayMeanwhile) {
-  const Folder folder;
-  std::filesystem::create_directory(folder.file("sub"));
-  AtomicFile file(folder.file("sub/a"));
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path("sub"));
+  AtomicFile file(folder.path("sub/a"));
   file.write(bytesOf("new"));
-  std::filesystem::remove_all(folder.file("sub"));
+  std::filesystem::remove_all(folder.path("sub"));
   expectError(ExitCode::Output, "sub/a\": No such file", [&] { file.commit(); });
 }
 
 TEST(AtomicFile, KeepsTheOldFileWhenAFolderTakesItsPlaceMeanwhile) {
-  const Folder folder;
-  AtomicFile file(folder.file("a"));
+  const TemporaryFolder folder;
+  AtomicFile file(folder.path("a"));
   file.write(bytesOf("new"));
-  std::filesystem::create_directory(folder.file("a"));
+  std::filesystem::create_directory(folder.path("a"));
   expectError(ExitCode::Output, "a\": Is a directory", [&] { file.commit(); });
 }
 
@@ -137,33 +134,33 @@ class LimitedFileSize {
 };
 
 TEST(AtomicFile, KeepsTheOldPictureWhenTheDiskIsFull) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Image old = rgbImage(8, 8);
-  writeExr(folder.file("a.exr"), old);
-  writePng(folder.file("a.png"), old);
-  const std::string exr = contents(folder.file("a.exr"));
-  const std::string png = contents(folder.file("a.png"));
+  writeExr(folder.path("a.exr"), old);
+  writePng(folder.path("a.png"), old);
+  const std::string exr = contents(folder.path("a.exr"));
+  const std::string png = contents(folder.path("a.png"));
   {
     const LimitedFileSize limit(50);
     Image image = rgbImage(8, 8);
     image.pixels[0] = 1.0f;
-    expectError(ExitCode::Output, "File too large", [&] { writeExr(folder.file("a.exr"), image); });
-    expectError(ExitCode::Output, "File too large", [&] { writePng(folder.file("a.png"), image); });
+    expectError(ExitCode::Output, "File too large", [&] { writeExr(folder.path("a.exr"), image); });
+    expectError(ExitCode::Output, "File too large", [&] { writePng(folder.path("a.png"), image); });
   }
-  EXPECT_EQ(contents(folder.file("a.exr")), exr);
-  EXPECT_EQ(contents(folder.file("a.png")), png);
-  EXPECT_EQ(folder.size(), 2u);
+  EXPECT_EQ(contents(folder.path("a.exr")), exr);
+  EXPECT_EQ(contents(folder.path("a.png")), png);
+  EXPECT_EQ(folder.names().size(), 2u);
 }
 
 TEST(CheckReplaceable, SaysEarlyWhatWouldFailLateAndLeavesNothing) {
-  const Folder folder;
-  checkReplaceable(folder.file("a"));
-  EXPECT_EQ(folder.size(), 0u);
-  std::ofstream(folder.file("a")) << "old";
-  checkReplaceable(folder.file("a"));
-  EXPECT_EQ(contents(folder.file("a")), "old");
-  expectError(ExitCode::Output, "No such file", [&] { checkReplaceable(folder.file("away/a")); });
+  const TemporaryFolder folder;
+  checkReplaceable(folder.path("a"));
+  EXPECT_EQ(folder.names().size(), 0u);
+  std::ofstream(folder.path("a")) << "old";
+  checkReplaceable(folder.path("a"));
+  EXPECT_EQ(contents(folder.path("a")), "old");
+  expectError(ExitCode::Output, "No such file", [&] { checkReplaceable(folder.path("away/a")); });
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

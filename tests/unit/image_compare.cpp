@@ -7,16 +7,11 @@
 
 #include "image/compare.h"
 #include "image/compare_report.h"
-#include "unit/image_test_folder.h"
+#include "support/expect_error.h"
+#include "unit/images.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
-
-using image_test::expectError;
-using image_test::kEndless;
-using image_test::kInfinity;
-using image_test::kNan;
-using image_test::row;
 
 ChannelDifference compareOne(std::vector<float> a, std::vector<float> b, double tolerance) {
   return compare(row({"Y"}, std::move(a)), row({"Y"}, std::move(b)), tolerance).at(0);
@@ -127,4 +122,4 @@ TEST(CompareReport, WidensForLongNamesAndNumbers) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

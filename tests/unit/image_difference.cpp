@@ -5,16 +5,11 @@
 
 #include "image/difference.h"
 #include "image/false_colour.h"
-#include "unit/image_test_folder.h"
+#include "support/expect_error.h"
+#include "unit/images.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
-
-using image_test::expectError;
-using image_test::kEndless;
-using image_test::kInfinity;
-using image_test::kNan;
-using image_test::row;
 
 constexpr Rgb8 kBlack = {0, 0, 0}, kMagenta = {255, 0, 255};
 
@@ -129,4 +124,4 @@ TEST(DrawText, DrawsDotsInsideItsBox) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

@@ -17,13 +17,11 @@
 #include <vector>
 
 #include "image/io.h"
-#include "unit/image_test_folder.h"
+#include "support/expect_error.h"
+#include "support/temporary_folder.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
-
-using image_test::expectError;
-using image_test::Folder;
 
 std::vector<std::uint32_t> bits(const std::vector<float>& values) {
   std::vector<std::uint32_t> result;
@@ -55,10 +53,10 @@ Image oddFloats() {
 }
 
 TEST(Exr, KeepsEveryBitOfEveryKindOfFloat) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Image image = oddFloats();
-  writeExr(folder.file("a.exr"), image);
-  const Image back = readExr(folder.file("a.exr"));
+  writeExr(folder.path("a.exr"), image);
+  const Image back = readExr(folder.path("a.exr"));
   EXPECT_EQ(back.width, 5);
   EXPECT_EQ(back.height, 4);
   EXPECT_EQ(back.channels, image.channels);
@@ -67,7 +65,7 @@ TEST(Exr, KeepsEveryBitOfEveryKindOfFloat) {
 
 TEST(Exr, KeepsEveryBitAcrossChunksAndThreads) {
   // Smooth rows that deflate, and noise that does not and is stored; the last chunk is cut short.
-  const Folder folder;
+  const TemporaryFolder folder;
   Image image = rgbImage(37, 1500);
   std::uint32_t noise = 1;
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
@@ -77,19 +75,19 @@ TEST(Exr, KeepsEveryBitAcrossChunksAndThreads) {
         row / 64 % 2 == 0 ? static_cast<float>(level) : std::bit_cast<float>(noise ^ noise >> 13);
   }
   for (const unsigned threads : {1U, 3U}) {
-    writeExr(folder.file("a.exr"), image, {}, threads);
-    EXPECT_EQ(bits(readExr(folder.file("a.exr")).pixels), bits(image.pixels)) << threads;
+    writeExr(folder.path("a.exr"), image, {}, threads);
+    EXPECT_EQ(bits(readExr(folder.path("a.exr")).pixels), bits(image.pixels)) << threads;
   }
 }
 
 TEST(Exr, PutsTheFirstRowOfPixelsAtTheTop) {
-  const Folder folder;
+  const TemporaryFolder folder;
   Image image = rgbImage(3, 2);
   image.at(2, 0, 1) = 7.0f;
-  writeExr(folder.file("a.exr"), image);
+  writeExr(folder.path("a.exr"), image);
 
   std::vector<float> green(6);
-  Imf::InputFile file(folder.file("a.exr").c_str());
+  Imf::InputFile file(folder.path("a.exr").c_str());
   Imf::FrameBuffer frame;
   frame.insert("G", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(green.data()), sizeof(float),
                                3 * sizeof(float)));
@@ -99,30 +97,30 @@ TEST(Exr, PutsTheFirstRowOfPixelsAtTheTop) {
 }
 
 TEST(Exr, WritesZippedFloatChannels) {
-  const Folder folder;
-  writeExr(folder.file("a.exr"), rgbImage(256, 256));
-  const Imf::InputFile file(folder.file("a.exr").c_str());
+  const TemporaryFolder folder;
+  writeExr(folder.path("a.exr"), rgbImage(256, 256));
+  const Imf::InputFile file(folder.path("a.exr").c_str());
   EXPECT_EQ(file.header().compression(), Imf::ZIP_COMPRESSION);
   for (const char* name : {"R", "G", "B"}) {
     ASSERT_NE(file.header().channels().findChannel(name), nullptr);
     EXPECT_EQ(file.header().channels().findChannel(name)->type, Imf::FLOAT);
   }
-  EXPECT_LT(std::filesystem::file_size(folder.file("a.exr")), 10000u);
+  EXPECT_LT(std::filesystem::file_size(folder.path("a.exr")), 10000u);
 }
 
 TEST(Exr, WritesMetadataAsTypedAttributes) {
-  const Folder folder;
+  const TemporaryFolder folder;
   // Column vectors: column 3 is the translation.
   glm::dmat4 matrix(1.0);
   matrix[3] = glm::dvec4(10.0, 20.0, 30.0, 1.0);
   matrix[1][0] = 5.0;  // row 0, column 1: x' = x + 5 y
-  writeExr(folder.file("a.exr"), rgbImage(2, 2),
+  writeExr(folder.path("a.exr"), rgbImage(2, 2),
            {{"comments", std::string("two\nlines")},
             {"renderTimeSeconds", 0.75},
             {"samplesPerPixel", 16},
             {"worldToCamera", matrix}});
 
-  const Imf::InputFile file(folder.file("a.exr").c_str());
+  const Imf::InputFile file(folder.path("a.exr").c_str());
   const Imf::Header& header = file.header();
   EXPECT_EQ(header.typedAttribute<Imf::StringAttribute>("comments").value(), "two\nlines");
   EXPECT_EQ(header.typedAttribute<Imf::FloatAttribute>("renderTimeSeconds").value(), 0.75f);
@@ -133,7 +131,7 @@ TEST(Exr, WritesMetadataAsTypedAttributes) {
 }
 
 TEST(Exr, ReadsHalfAndUintInAnyDataWindow) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Imath::Box2i window({-3, 5}, {-2, 7});  // 2 x 3 pixels, not at the display's corner
   Imf::Header header(Imath::Box2i({0, 0}, {9, 9}), window);
   header.channels().insert("Z", Imf::Channel(Imf::HALF));
@@ -144,11 +142,11 @@ TEST(Exr, ReadsHalfAndUintInAnyDataWindow) {
   frame.insert("Z", Imf::Slice::Make(Imf::HALF, z.data(), window));
   frame.insert("id", Imf::Slice::Make(Imf::UINT, id.data(), window));
   {
-    Imf::OutputFile file(folder.file("a.exr").c_str(), header);
+    Imf::OutputFile file(folder.path("a.exr").c_str(), header);
     file.setFrameBuffer(frame);
     file.writePixels(3);
   }
-  const Image image = readExr(folder.file("a.exr"));
+  const Image image = readExr(folder.path("a.exr"));
   EXPECT_EQ(image.width, 2);
   EXPECT_EQ(image.height, 3);
   EXPECT_EQ(image.channels, (std::vector<std::string>{"Z", "id"}));
@@ -160,39 +158,39 @@ TEST(Exr, ReadsHalfAndUintInAnyDataWindow) {
 }
 
 TEST(Exr, KeepsLayersAndOrdersColoursFirst) {
-  const Folder folder;
+  const TemporaryFolder folder;
   Image image;
   image.width = image.height = 1;
   image.channels = {"N.Z", "Z", "B", "N.X", "albedo.G", "R", "A", "albedo.R", "G"};
   image.pixels = {1, 2, 3, 4, 5, 6, 7, 8, 9};
-  writeExr(folder.file("a.exr"), image);
-  const Image back = readExr(folder.file("a.exr"));
+  writeExr(folder.path("a.exr"), image);
+  const Image back = readExr(folder.path("a.exr"));
   EXPECT_EQ(back.channels, (std::vector<std::string>{"R", "G", "B", "A", "Z", "N.X", "N.Z",
                                                      "albedo.R", "albedo.G"}));
   EXPECT_EQ(back.pixels, (std::vector<float>{6, 9, 3, 7, 2, 4, 1, 8, 5}));
 }
 
 TEST(Exr, SaysInOneLineWhyAFileCannotBeRead) {
-  const Folder folder;
-  const std::string missing = folder.file("missing.exr");
+  const TemporaryFolder folder;
+  const std::string missing = folder.path("missing.exr");
   expectError(ExitCode::Usage, "missing.exr\": No such file", [&] { readExr(missing); });
-  expectError(ExitCode::Usage, "cannot read", [&] { readExr(folder.file("")); });
+  expectError(ExitCode::Usage, "cannot read", [&] { readExr(folder.path("")); });
 
-  std::ofstream(folder.file("text.exr")) << "this is no picture";
-  expectError(ExitCode::Usage, "text.exr", [&] { readExr(folder.file("text.exr")); });
+  std::ofstream(folder.path("text.exr")) << "this is no picture";
+  expectError(ExitCode::Usage, "text.exr", [&] { readExr(folder.path("text.exr")); });
 
   Image noise = rgbImage(64, 64);
   for (std::size_t i = 0; i < noise.pixels.size(); ++i) {
     noise.pixels[i] = static_cast<float>((i * 2654435761u) % 100003u);
   }
-  writeExr(folder.file("cut.exr"), noise);
-  std::filesystem::resize_file(folder.file("cut.exr"), 20000);
-  expectError(ExitCode::Usage, "cut.exr", [&] { readExr(folder.file("cut.exr")); });
+  writeExr(folder.path("cut.exr"), noise);
+  std::filesystem::resize_file(folder.path("cut.exr"), 20000);
+  expectError(ExitCode::Usage, "cut.exr", [&] { readExr(folder.path("cut.exr")); });
 }
 
 TEST(Exr, RefusesWhatIsNoPictureOrNoAttribute) {
-  const Folder folder;
-  const std::string file = folder.file("a.exr");
+  const TemporaryFolder folder;
+  const std::string file = folder.path("a.exr");
   Image image = rgbImage(2, 2);
   image.pixels.pop_back();
   expectError(ExitCode::Output, "11 numbers, not 12", [&] { writeExr(file, image); });
@@ -203,8 +201,8 @@ TEST(Exr, RefusesWhatIsNoPictureOrNoAttribute) {
   expectError(ExitCode::Output, "channels", [&] {
     writeExr(file, rgbImage(2, 2), {{"channels", 3}});
   });
-  EXPECT_EQ(folder.size(), 0u);
+  EXPECT_EQ(folder.names().size(), 0u);
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

@@ -9,56 +9,54 @@
 #include <string>
 
 #include "image/atomic_file.h"
-#include "unit/image_test_folder.h"
+#include "support/expect_error.h"
+#include "support/temporary_folder.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
 
 namespace fs = std::filesystem;
-using image_test::contents;
-using image_test::expectError;
-using image_test::Folder;
 
 std::span<const std::byte> bytesOf(const std::string& text) {
   return std::as_bytes(std::span(text.data(), text.size()));
 }
 
 TEST(AtomicFileLink, StaysAndItsTargetIsReplaced) {
-  const Folder folder;
-  fs::create_directory(folder.file("sub"));
-  std::ofstream(folder.file("sub/target")) << "old";
-  fs::create_symlink("sub/middle", folder.file("link"));        // relative to the folder
-  fs::create_symlink("target", folder.file("sub/middle"));      // relative to sub
-  fs::create_symlink(folder.file("link"), folder.file("far"));  // absolute
-  std::ifstream reader(folder.file("sub/target"));
-  replaceFile(folder.file("far"), bytesOf("new"));
-  EXPECT_EQ(contents(folder.file("sub/target")), "new");
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path("sub"));
+  std::ofstream(folder.path("sub/target")) << "old";
+  fs::create_symlink("sub/middle", folder.path("link"));        // relative to the folder
+  fs::create_symlink("target", folder.path("sub/middle"));      // relative to sub
+  fs::create_symlink(folder.path("link"), folder.path("far"));  // absolute
+  std::ifstream reader(folder.path("sub/target"));
+  replaceFile(folder.path("far"), bytesOf("new"));
+  EXPECT_EQ(contents(folder.path("sub/target")), "new");
   std::string before;
   reader >> before;
   EXPECT_EQ(before, "old");  // replaced, not overwritten
-  EXPECT_EQ(fs::read_symlink(folder.file("link")), "sub/middle");
-  EXPECT_EQ(fs::read_symlink(folder.file("sub/middle")), "target");
-  EXPECT_TRUE(fs::is_symlink(folder.file("far")));
-  EXPECT_EQ(folder.size(), 3u);
+  EXPECT_EQ(fs::read_symlink(folder.path("link")), "sub/middle");
+  EXPECT_EQ(fs::read_symlink(folder.path("sub/middle")), "target");
+  EXPECT_TRUE(fs::is_symlink(folder.path("far")));
+  EXPECT_EQ(folder.names().size(), 3u);
 }
 
 TEST(AtomicFileLink, MakesATargetThatIsNotThere) {
-  const Folder folder;
-  fs::create_symlink("target", folder.file("link"));
-  checkReplaceable(folder.file("link"));
-  EXPECT_EQ(folder.size(), 1u);
-  replaceFile(folder.file("link"), bytesOf("new"));
-  EXPECT_TRUE(fs::is_symlink(folder.file("link")));
-  EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(folder.file("target"))));
-  EXPECT_EQ(contents(folder.file("target")), "new");
+  const TemporaryFolder folder;
+  fs::create_symlink("target", folder.path("link"));
+  checkReplaceable(folder.path("link"));
+  EXPECT_EQ(folder.names().size(), 1u);
+  replaceFile(folder.path("link"), bytesOf("new"));
+  EXPECT_TRUE(fs::is_symlink(folder.path("link")));
+  EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(folder.path("target"))));
+  EXPECT_EQ(contents(folder.path("target")), "new");
 }
 
 TEST(AtomicFileLink, IsRefusedWhereItsTargetCannotBeReplaced) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const auto refused = [&](const char* target, const char* reason) {
-    fs::remove(folder.file("link"));
-    fs::create_symlink(target, folder.file("link"));
-    expectError(ExitCode::Output, reason, [&] { replaceFile(folder.file("link"), bytesOf("x")); });
+    fs::remove(folder.path("link"));
+    fs::create_symlink(target, folder.path("link"));
+    expectError(ExitCode::Output, reason, [&] { replaceFile(folder.path("link"), bytesOf("x")); });
   };
   refused("link", "link\": Too many levels of symbolic links");
   refused(".", "link\": Is a directory");
@@ -100,30 +98,30 @@ class Writer {
 };
 
 TEST(AtomicFile, RemovesWhatKilledProcessesLeft) {
-  const Folder folder;
-  std::ofstream(folder.file("a")) << "old";
+  const TemporaryFolder folder;
+  std::ofstream(folder.path("a")) << "old";
   // Not of laver's making, or not as laver makes them.
-  std::ofstream(folder.file(".laver-1-2.tmp.bak")) << "keep";
-  std::ofstream(folder.file(".laver-1.tmp")) << "keep";
-  std::ofstream(folder.file(".laver-x-2.tmp")) << "keep";
-  fs::create_directory(folder.file(".laver-1-2.tmp"));
-  fs::create_symlink("a", folder.file(".laver-1-3.tmp"));
+  std::ofstream(folder.path(".laver-1-2.tmp.bak")) << "keep";
+  std::ofstream(folder.path(".laver-1.tmp")) << "keep";
+  std::ofstream(folder.path(".laver-x-2.tmp")) << "keep";
+  fs::create_directory(folder.path(".laver-1-2.tmp"));
+  fs::create_symlink("a", folder.path(".laver-1-3.tmp"));
   const std::size_t others = 6;
 
-  Writer writer(folder.file("a"));
-  EXPECT_EQ(folder.size(), others + 1);
-  const AtomicFile mine(folder.file("b"));
-  EXPECT_EQ(folder.size(), others + 2);  // that of a process that lives stays
+  Writer writer(folder.path("a"));
+  EXPECT_EQ(folder.names().size(), others + 1);
+  const AtomicFile mine(folder.path("b"));
+  EXPECT_EQ(folder.names().size(), others + 2);  // that of a process that lives stays
   writer.kill();
-  EXPECT_EQ(folder.size(), others + 2);
-  replaceFile(folder.file("a"), bytesOf("new"));
-  EXPECT_EQ(folder.size(), others + 1);  // and so does one's own
-  EXPECT_EQ(contents(folder.file("a")), "new");
+  EXPECT_EQ(folder.names().size(), others + 2);
+  replaceFile(folder.path("a"), bytesOf("new"));
+  EXPECT_EQ(folder.names().size(), others + 1);  // and so does one's own
+  EXPECT_EQ(contents(folder.path("a")), "new");
 }
 
 TEST(AtomicFile, IsTheOldOrTheNewOneWheneverItsWriterIsKilled) {
-  const Folder folder;
-  const std::string file = folder.file("a");
+  const TemporaryFolder folder;
+  const std::string file = folder.path("a");
   const std::size_t size = 1 << 20;
   replaceFile(file, bytesOf(std::string(size, 'a')));
   for (int moment = 0; moment < 60; ++moment) {
@@ -141,8 +139,8 @@ TEST(AtomicFile, IsTheOldOrTheNewOneWheneverItsWriterIsKilled) {
     ASSERT_EQ(text.find_first_not_of(text[0]), std::string::npos) << moment;
   }
   checkReplaceable(file);
-  EXPECT_EQ(folder.size(), 1u);
+  EXPECT_EQ(folder.names().size(), 1u);
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

@@ -12,14 +12,11 @@
 
 #include "image/io.h"
 #include "image/srgb.h"
-#include "unit/image_test_folder.h"
+#include "support/expect_error.h"
+#include "support/temporary_folder.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
-
-using image_test::contents;
-using image_test::expectError;
-using image_test::Folder;
 
 TEST(Srgb, FollowsTheCurveAndRoundsToNearest) {
   EXPECT_EQ(srgb8(0.0f), 0);
@@ -76,7 +73,7 @@ TEST(Srgb, TheTableEqualsTheFormula) {
 }
 
 TEST(Png, HoldsTheBytesRowByRowFromTheTop) {
-  const Folder folder;
+  const TemporaryFolder folder;
   Image image;
   image.width = 3;
   image.height = 2;
@@ -86,11 +83,11 @@ TEST(Png, HoldsTheBytesRowByRowFromTheTop) {
   image.at(0, 1, 3) = 0.5f;
   image.at(1, 1, 0) = 0.18f;
   image.at(1, 1, 1) = 1.0f;
-  writePng(folder.file("a.png"), image);
+  writePng(folder.path("a.png"), image);
 
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
-  ASSERT_NE(png_image_begin_read_from_file(&png, folder.file("a.png").c_str()), 0);
+  ASSERT_NE(png_image_begin_read_from_file(&png, folder.path("a.png").c_str()), 0);
   EXPECT_EQ(png.width, 3u);
   EXPECT_EQ(png.height, 2u);
   EXPECT_EQ(png.format, static_cast<png_uint_32>(PNG_FORMAT_RGB));
@@ -101,9 +98,9 @@ TEST(Png, HoldsTheBytesRowByRowFromTheTop) {
 }
 
 TEST(Png, SaysThatItIsSrgbWithEightBits) {
-  const Folder folder;
-  writePng(folder.file("a.png"), rgbImage(2, 2));
-  const std::string bytes = contents(folder.file("a.png"));
+  const TemporaryFolder folder;
+  writePng(folder.path("a.png"), rgbImage(2, 2));
+  const std::string bytes = contents(folder.path("a.png"));
   EXPECT_NE(bytes.find("sRGB"), std::string::npos);
   ASSERT_GT(bytes.size(), 26u);
   EXPECT_EQ(bytes[24], 8);  // bit depth in IHDR
@@ -111,19 +108,19 @@ TEST(Png, SaysThatItIsSrgbWithEightBits) {
 }
 
 TEST(Png, RefusesWhatIsNoRgbPicture) {
-  const Folder folder;
+  const TemporaryFolder folder;
   Image image = rgbImage(2, 2);
   image.channels[1] = "Y";
-  expectError(ExitCode::Output, "no channel G", [&] { writePng(folder.file("a.png"), image); });
-  expectError(ExitCode::Output, "2 x 0", [&] { writePng(folder.file("a.png"), rgbImage(2, 0)); });
+  expectError(ExitCode::Output, "no channel G", [&] { writePng(folder.path("a.png"), image); });
+  expectError(ExitCode::Output, "2 x 0", [&] { writePng(folder.path("a.png"), rgbImage(2, 0)); });
   expectError(ExitCode::Output, "cannot write",
-              [&] { writePng(folder.file("a.png"), rgbImage(1000001, 1)); });  // libpng's limit
-  EXPECT_EQ(folder.size(), 0u);
+              [&] { writePng(folder.path("a.png"), rgbImage(1000001, 1)); });  // libpng's limit
+  EXPECT_EQ(folder.names().size(), 0u);
 }
 
 TEST(Png, KeepsEveryByteOfEveryKindOfRow) {
   // Noise, runs, ramps and rows like the one above: all of libpng's filters are chosen.
-  const Folder folder;
+  const TemporaryFolder folder;
   Bitmap bitmap(301, 200, {});
   std::uint32_t noise = 1;
   for (std::size_t i = 0; i < bitmap.pixels.size(); ++i)
@@ -136,10 +133,10 @@ TEST(Png, KeepsEveryByteOfEveryKindOfRow) {
                                     : kind == 3 ? i % 301 * 3 + row
                                                 : (i % 301) * (i % 301));
     }
-  writePng(folder.file("a.png"), bitmap);
+  writePng(folder.path("a.png"), bitmap);
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
-  ASSERT_NE(png_image_begin_read_from_file(&png, folder.file("a.png").c_str()), 0);
+  ASSERT_NE(png_image_begin_read_from_file(&png, folder.path("a.png").c_str()), 0);
   std::vector<std::uint8_t> bytes(PNG_IMAGE_SIZE(png));
   ASSERT_NE(png_image_finish_read(&png, nullptr, bytes.data(), 0, nullptr), 0);
   ASSERT_EQ(bytes.size(), bitmap.pixels.size() * 3);
@@ -147,4 +144,4 @@ TEST(Png, KeepsEveryByteOfEveryKindOfRow) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

@@ -7,8 +7,10 @@
 #include "reference/pcg32.h"
 #include "reference/sampler.h"
 
-namespace laver::reference {
+namespace laver::test {
 namespace {
+
+using namespace reference;
 
 TEST(ReferencePcg32, PublishedVector) {
   // First round of pcg32-demo, seed 42, sequence 54.
@@ -86,4 +88,4 @@ TEST_P(ReferenceSampler, EqualsDrawingInOrder) {
 INSTANTIATE_TEST_SUITE_P(Seeds, ReferenceSampler, testing::Values(0, 1, -5, std::int64_t{1} << 40));
 
 }  // namespace
-}  // namespace laver::reference
+}  // namespace laver::test

@@ -6,21 +6,18 @@
 
 #include "image/io.h"
 #include "image/picture.h"
-#include "unit/image_test_folder.h"
-#include "unit/picture_files.h"
+#include "support/expect_error.h"
+#include "support/picture_files.h"
+#include "support/temporary_folder.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
 
-using image_test::expectError;
-using image_test::Folder;
-using picture_test::jpeg;
-using picture_test::png;
 using Rows = std::vector<std::vector<unsigned char>>;
 
 Picture read(const std::string& bytes, bool raw = false) {
-  const Folder folder;
-  const std::string file = folder.file("picture");
+  const TemporaryFolder folder;
+  const std::string file = folder.path("picture");
   std::ofstream(file, std::ios::binary) << bytes;
   return readPicture(file, raw);
 }
@@ -101,9 +98,9 @@ Image exr(const std::vector<std::string>& channels, const std::vector<float>& pi
 }
 
 Picture throughExr(const Image& image) {
-  const Folder folder;
-  writeExr(folder.file("a.exr"), image);
-  return readPicture(folder.file("a.exr"), false);
+  const TemporaryFolder folder;
+  writeExr(folder.path("a.exr"), image);
+  return readPicture(folder.path("a.exr"), false);
 }
 
 TEST(PictureRead, ExrByTheNamesOfItsChannels) {
@@ -127,14 +124,14 @@ TEST(PictureRead, EveryTruncationIsRefusedWithAReason) {
   Rows rows;
   for (std::ptrdiff_t y = 0; y < 16; ++y)
     rows.emplace_back(noise.begin() + 48 * y, noise.begin() + 48 * (y + 1));
-  const Folder folder;
+  const TemporaryFolder folder;
   Image image = rgbImage(16, 16);
   for (std::size_t i = 0; i < image.pixels.size(); ++i)
     image.pixels[i] = static_cast<float>(noise[i]) / 255.0F;
-  writeExr(folder.file("a.exr"), image);
+  writeExr(folder.path("a.exr"), image);
   for (const std::string& whole :
        {png(16, 16, 8, PNG_COLOR_TYPE_RGB, rows), jpeg(16, 16, 3, JCS_RGB, noise),
-        image_test::contents(folder.file("a.exr"))}) {
+        contents(folder.path("a.exr"))}) {
     EXPECT_NO_THROW(read(whole));
     for (std::size_t length = 0; length < whole.size(); length += 1 + length / 20) {
       expectError(ExitCode::Usage, "cannot read \"", [&] { read(whole.substr(0, length)); });
@@ -167,12 +164,12 @@ TEST(PictureRead, AHugeSizeIsRefusedBeforeItIsBelieved) {
 }
 
 TEST(PictureRead, WhatIsNoPicture) {
-  const Folder folder;
+  const TemporaryFolder folder;
   expectError(ExitCode::Usage, "neither PNG, JPEG nor OpenEXR", [] { read("hello"); });
   expectError(ExitCode::Usage, "neither PNG, JPEG nor OpenEXR", [] { read(""); });
-  expectError(ExitCode::Usage, "No such file", [&] { readPicture(folder.file("x.png"), false); });
-  expectError(ExitCode::Usage, "it is a folder", [&] { readPicture(folder.file("."), false); });
+  expectError(ExitCode::Usage, "No such file", [&] { readPicture(folder.path("x.png"), false); });
+  expectError(ExitCode::Usage, "it is a folder", [&] { readPicture(folder.path("."), false); });
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

@@ -2,10 +2,12 @@
 
 #include "reference/camera.h"
 #include "reference/reference.h"
-#include "reference_scenes.h"
+#include "unit/reference_scenes.h"
 
-namespace laver::reference {
+namespace laver::test {
 namespace {
+
+using namespace reference;
 
 void expectNear(glm::dvec3 a, glm::dvec3 b) {
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], b[i], 1e-15) << i;
@@ -68,8 +70,8 @@ TEST(ReferenceCamera, OriginIsDividedByW) {
 class ReferenceClipping : public testing::Test {
  protected:
   ReferenceClipping() {
-    scene_.meshes = {test::square(10, 0)};
-    scene_.camera = test::downCamera({0, 0, 1}, 90, 64);
+    scene_.meshes = {square(10, 0)};
+    scene_.camera = downCamera({0, 0, 1}, 90, 64);
   }
   int seen(double nearClip, double farClip) {
     scene_.camera.nearClip = nearClip;
@@ -93,7 +95,7 @@ TEST_F(ReferenceClipping, Far) {
 TEST_F(ReferenceClipping, HitIsAtTheFilmPosition) {
   const Reference renderer(scene_);
   const glm::dvec3 point(0.5, -0.25, 0);
-  const auto hit = renderer.closest(test::filmOf(scene_.camera, point));
+  const auto hit = renderer.closest(filmOf(scene_.camera, point));
   ASSERT_TRUE(hit);
   const Mesh& mesh = scene_.meshes[0];
   const glm::uvec3 t = mesh.triangles[hit->triangle];
@@ -103,4 +105,4 @@ TEST_F(ReferenceClipping, HitIsAtTheFilmPosition) {
 }
 
 }  // namespace
-}  // namespace laver::reference
+}  // namespace laver::test

@@ -3,14 +3,17 @@
 #include <cmath>
 
 #include "reference/tree.h"
-#include "reference_scenes.h"
-#include "reference_soup.h"
+#include "support/bumpy_sphere.h"
+#include "unit/reference_scenes.h"
+#include "unit/reference_soup.h"
 
-namespace laver::reference {
+namespace laver::test {
 namespace {
 
+using namespace reference;
+
 TEST(ReferenceMeshRays, ClosedMeshHasNoLeakFromInside) {
-  const Mesh mesh = test::bumpySphere(24, 40, 4);
+  const Mesh mesh = bumpySphere(24, 40, 0.1, glm::dvec3(0.0));
   const Tree tree(trianglesOf(mesh));
   Random random(4);
   int misses = 0;
@@ -25,7 +28,7 @@ TEST(ReferenceMeshRays, ClosedMeshHasNoLeakFromInside) {
 }
 
 TEST(ReferenceMeshRays, ClosedMeshHasNoLeakFromOutside) {
-  const Mesh mesh = test::bumpySphere(24, 40, 5);
+  const Mesh mesh = bumpySphere(24, 40, 0.1, glm::dvec3(0.0));
   const std::vector<Triangle> triangles = trianglesOf(mesh);
   const Tree tree(triangles);
   Random random(5);
@@ -35,7 +38,8 @@ TEST(ReferenceMeshRays, ClosedMeshHasNoLeakFromOutside) {
     const glm::dvec3 a = mesh.positions[t.x], b = mesh.positions[t.y];
     const glm::dvec3 aim = i % 2 ? a : glm::mix(a, b, random.number(0, 1));
     const glm::dvec3 origin = random.point(i % 5 ? 4 : 400);
-    // A line that comes from outside and enters the ball of radius 0.8 crosses the surface before.
+    // A line that comes from outside and enters the sphere of radius 0.8 crosses the surface
+    // before.
     const glm::dvec3 way = glm::normalize(aim - origin);
     const double nearest = -glm::dot(origin, way);
     const double inside = 0.64 - glm::dot(origin, origin) + nearest * nearest;
@@ -49,7 +53,7 @@ TEST(ReferenceMeshRays, ClosedMeshHasNoLeakFromOutside) {
 }
 
 TEST(ReferenceMeshRays, SmallestNumberWinsAmongCopies) {
-  const Mesh mesh = test::bumpySphere(12, 20, 6);
+  const Mesh mesh = bumpySphere(12, 20, 0.1, glm::dvec3(0.0));
   std::vector<Triangle> triangles;
   const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
   for (std::uint32_t copy = 0; copy < 6; ++copy) {
@@ -102,4 +106,4 @@ TEST(ReferenceMeshRays, CascadesAndHeapsStayBounded) {
 }
 
 }  // namespace
-}  // namespace laver::reference
+}  // namespace laver::test

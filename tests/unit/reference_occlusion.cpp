@@ -3,9 +3,9 @@
 
 #include <numbers>
 
-#include "reference_seen.h"
+#include "unit/reference_seen.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -22,7 +22,7 @@ Scene underPlate(const IntegratorRow& integrator, double height) {
 /// Mean radiance of the floor's origin over a grid of numbers.
 double meanAt(const Scene& scene) {
   const Reference reference(scene);
-  const glm::dvec2 film = test::filmOf(scene.camera, {0, 0, 0});
+  const glm::dvec2 film = filmOf(scene.camera, {0, 0, 0});
   constexpr int side = 400;
   double sum = 0;
   for (int i = 0; i < side; ++i)
@@ -79,4 +79,4 @@ TEST(ReferenceOcclusion, TheHemisphereIsTheShadingNormals) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

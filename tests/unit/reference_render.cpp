@@ -7,9 +7,10 @@
 #include "core/error.h"
 #include "reference/filter.h"
 #include "reference/reference.h"
-#include "reference_scenes.h"
+#include "support/bumpy_sphere.h"
+#include "unit/reference_scenes.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
 
 Scene bumpyScene(const FilterRow* kind, double radius, std::uint32_t samples) {
@@ -248,4 +249,4 @@ TEST(ReferenceFilm, ProgressRisesToOne) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

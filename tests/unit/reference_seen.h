@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "reference/reference.h"
-#include "reference_scenes.h"
+#include "unit/reference_scenes.h"
 
 namespace laver::test {
 

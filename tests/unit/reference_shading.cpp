@@ -3,14 +3,10 @@
 #include <limits>
 #include <numbers>
 
-#include "reference_seen.h"
+#include "unit/reference_seen.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
-
-using test::expectNear;
-using test::litSquare;
-using test::seenAt;
 
 constexpr double pi = std::numbers::pi;
 
@@ -46,7 +42,7 @@ TEST(ReferenceNormals, AreInterpolatedAndNormalised) {
   scene.meshes[0].triangles[0] = {1, 2, 0};
   expectNear(seenAt(scene, {1, -1, 0}), glm::dvec3(1, 2, 1) / std::sqrt(6.0));
   // The same triangle, no longer of the first mesh.
-  scene.meshes.insert(scene.meshes.begin(), test::square(0.25, -6));
+  scene.meshes.insert(scene.meshes.begin(), square(0.25, -6));
   scene.meshes[1].triangles = {{1, 2, 0}, {0, 2, 1}};
   expectNear(seenAt(scene, {1, -1, 0}), glm::dvec3(1, 2, 1) / std::sqrt(6.0));
 }
@@ -62,7 +58,7 @@ TEST(ReferenceNormals, FallBackToTheTriangle) {
     EXPECT_EQ(seenAt(scene, {0.1, 0, 0}), glm::dvec3(0, 0, 1));
   }
   scene.meshes[0].normals = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 1, 0}};
-  scene.camera = test::downCamera({0, 0, 4}, 90, 64);
+  scene.camera = downCamera({0, 0, 4}, 90, 64);
   EXPECT_EQ(Reference(scene).radiance({32, 32}), glm::dvec3(0, 0, 1));
 }
 
@@ -83,7 +79,7 @@ TEST(ReferenceTies, FirstMeshWins) {
   Scene scene = litSquare();
   scene.meshes.push_back(scene.meshes[0]);
   scene.meshes.back().bsdf.albedo = glm::dvec3(1);
-  const glm::dvec2 film = test::filmOf(scene.camera, {0.3, -0.2, 0});
+  const glm::dvec2 film = filmOf(scene.camera, {0.3, -0.2, 0});
   expectNear(Reference(scene).radiance(film) / Reference(litSquare()).radiance(film),
              glm::dvec3(1));
   EXPECT_EQ(Reference(scene).closest(film)->triangle, 0u);
@@ -93,21 +89,20 @@ TEST(ReferenceTies, FirstMeshWins) {
 
 TEST(ReferenceTies, NumbersRunOnOverTheMeshes) {
   Scene scene = litSquare();
-  scene.meshes.insert(scene.meshes.begin(), 2, test::square(1, -3));
+  scene.meshes.insert(scene.meshes.begin(), 2, square(1, -3));
   scene.meshes.insert(scene.meshes.begin() + 1, Mesh{});
   const Reference renderer(scene);
-  EXPECT_EQ(renderer.closest(test::filmOf(scene.camera, {0.3, -0.2, 0}))->triangle, 4u);
-  expectNear(renderer.radiance(test::filmOf(scene.camera, {0, 0, 0})),
-             glm::dvec3(0.2, 1.0, 2.4) / pi);
+  EXPECT_EQ(renderer.closest(filmOf(scene.camera, {0.3, -0.2, 0}))->triangle, 4u);
+  expectNear(renderer.radiance(filmOf(scene.camera, {0, 0, 0})), glm::dvec3(0.2, 1.0, 2.4) / pi);
 }
 
 TEST(ReferenceDecided, NearSilhouettesAndShadowsItIsNot) {
   Scene scene = litSquare();
-  scene.meshes.push_back(test::square(0.25, 1));
+  scene.meshes.push_back(square(0.25, 1));
   scene.lights[0].position = {-1, 0, 2};
   const Reference renderer(scene);
   const auto decided = [&](double x) {
-    return renderer.decided(test::filmOf(scene.camera, {x, 0.01, 0}), 1e-3, 1e-2);
+    return renderer.decided(filmOf(scene.camera, {x, 0.01, 0}), 1e-3, 1e-2);
   };
   EXPECT_TRUE(decided(1.0));
   EXPECT_TRUE(decided(-1.0));
@@ -115,21 +110,21 @@ TEST(ReferenceDecided, NearSilhouettesAndShadowsItIsNot) {
   EXPECT_FALSE(decided(2.0 + 1e-6));
   EXPECT_FALSE(decided(1.5 - 1e-6));  // the blocker's shadow ends at 1.5
   EXPECT_TRUE(decided(1.5 + 1e-2));
-  EXPECT_FALSE(renderer.decided(test::filmOf(scene.camera, {1.6, 0.01, 0}), 1e-3, 0.0));
+  EXPECT_FALSE(renderer.decided(filmOf(scene.camera, {1.6, 0.01, 0}), 1e-3, 0.0));
 }
 
 TEST(ReferenceDecided, LooksAtEveryChannel) {
   for (int channel = 0; channel < 3; ++channel) {
     Scene scene = litSquare();
-    scene.meshes.push_back(test::square(1, 0));
+    scene.meshes.push_back(square(1, 0));
     scene.meshes[0].bsdf.albedo = glm::dvec3(0.5);
     scene.meshes[2].bsdf.albedo = glm::dvec3(0.5);
     scene.meshes[2].bsdf.albedo[channel] = 0.9;
     std::swap(scene.meshes[0], scene.meshes[2]);
-    const glm::dvec2 film = test::filmOf(scene.camera, {1 - 1e-6, 0.1, 0});
+    const glm::dvec2 film = filmOf(scene.camera, {1 - 1e-6, 0.1, 0});
     EXPECT_FALSE(Reference(scene).decided(film, 1e-3, 1e-2)) << channel;
   }
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

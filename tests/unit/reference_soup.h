@@ -5,7 +5,9 @@
 #include "reference/triangle.h"
 #include "scene/scene.h"
 
-namespace laver::reference {
+namespace laver::test {
+
+using namespace reference;
 
 /// A mesh's triangles, numbered in order.
 inline std::vector<Triangle> trianglesOf(const Mesh& mesh) {
@@ -46,4 +48,4 @@ inline std::vector<Triangle> soup(Random& random, unsigned count, double size) {
   return triangles;
 }
 
-}  // namespace laver::reference
+}  // namespace laver::test

@@ -2,16 +2,15 @@
 #include <gtest/gtest.h>
 
 #include "reference/texture.h"
-#include "reference_seen.h"
+#include "unit/reference_seen.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
 
 using glm::dvec2;
 using glm::dvec3;
 using reference::albedoAt;
 using reference::backgroundAt;
-using test::expectNear;
 
 std::shared_ptr<const Picture> floats(int width, int height, const std::vector<float>& red) {
   Image image = rgbImage(width, height);
@@ -109,12 +108,12 @@ TEST(ReferenceTexture, ABackgroundTurnsAboutYAndFallsFromThePole) {
 }
 
 TEST(ReferenceTexture, CoordinatesOfTheFileOrTheWeights) {
-  Scene scene = test::litSquare();
+  Scene scene = litSquare();
   Texture checker;
   checker.colors = {dvec3(1), dvec3(0)};
   checker.scale = {2, 2};
   scene.meshes[0].bsdf.texture = checker;
-  const auto lit = [&](double x, double y) { return test::seenAt(scene, {x, y, 0}).x > 0; };
+  const auto lit = [&](double x, double y) { return seenAt(scene, {x, y, 0}).x > 0; };
   // Weights: u is 1 at the second corner of each triangle, v at the third.
   EXPECT_TRUE(lit(-0.5, -1.9));  // u 0.35, v 0.025
   EXPECT_FALSE(lit(1, -1.9));    // u 0.725, v 0.025
@@ -128,7 +127,7 @@ TEST(ReferenceTexture, CoordinatesOfTheFileOrTheWeights) {
 }
 
 TEST(ReferenceTexture, MissesOfDirectWhittedAloneSeeTheBackground) {
-  Scene scene = test::litSquare();
+  Scene scene = litSquare();
   scene.environment = Environment();
   scene.environment->radiance = {1, 2, 3};
   EXPECT_EQ(Reference(scene).radiance({0.5, 0.5}), dvec3(1, 2, 3));
@@ -139,4 +138,4 @@ TEST(ReferenceTexture, MissesOfDirectWhittedAloneSeeTheBackground) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

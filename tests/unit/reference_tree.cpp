@@ -3,10 +3,12 @@
 #include <cmath>
 
 #include "reference/tree.h"
-#include "reference_soup.h"
+#include "unit/reference_soup.h"
 
-namespace laver::reference {
+namespace laver::test {
 namespace {
+
+using namespace reference;
 
 // What a loop over every triangle makes of the ray: the nearest by a formula of its own, and how
 // clearly (the smallest weight or distance in t that could turn the answer).
@@ -158,4 +160,4 @@ TEST(ReferenceTree, BlockedEqualsALoop) {
 }
 
 }  // namespace
-}  // namespace laver::reference
+}  // namespace laver::test

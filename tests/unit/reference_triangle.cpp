@@ -5,8 +5,10 @@
 
 #include "reference/triangle.h"
 
-namespace laver::reference {
+namespace laver::test {
 namespace {
+
+using namespace reference;
 
 __extension__ using Int128 = __int128;
 
@@ -131,4 +133,4 @@ TEST(ReferenceTriangle, SeparatesStrictly) {
 }
 
 }  // namespace
-}  // namespace laver::reference
+}  // namespace laver::test

@@ -3,14 +3,10 @@
 #include <numbers>
 #include <random>
 
-#include "reference_seen.h"
+#include "unit/reference_seen.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
-
-using test::expectNear;
-using test::litSquare;
-using test::seenAt;
 
 constexpr double pi = std::numbers::pi;
 
@@ -65,8 +61,8 @@ class ReferenceShadow : public testing::TestWithParam<double> {};
 
 TEST_P(ReferenceShadow, BlockerAtHeightBetween) {
   Scene scene = litSquare();
-  scene.camera = test::downCamera({1, 0, 4}, 60, 64);
-  scene.meshes.push_back(test::square(0.25, GetParam()));
+  scene.camera = downCamera({1, 0, 4}, 60, 64);
+  scene.meshes.push_back(square(0.25, GetParam()));
   scene.lights[0].position = {-1, 0, 2};
   // The line from the light to (x, 0, 0) passes the blocker's middle.
   const double height = GetParam();
@@ -79,10 +75,10 @@ INSTANTIATE_TEST_SUITE_P(Heights, ReferenceShadow, testing::Values(1.0, 0.5));
 
 TEST(ReferenceWhitted, ContactGapIsSeen) {
   Scene scene = litSquare();
-  scene.camera = test::downCamera({0.75, 0, 4}, 60, 64);
+  scene.camera = downCamera({0.75, 0, 4}, 60, 64);
   for (const double gap : {1e-3, 1e-6, 1e-9, 1e-12}) {
     scene.meshes.resize(2);
-    scene.meshes.push_back(test::square(0.25, gap));
+    scene.meshes.push_back(square(0.25, gap));
     // Under a grazing light the line to (0.5, 0, 0) passes the blocker's middle, or x = -0.5.
     scene.lights[0].position = {-1, 0, gap * 3};
     EXPECT_EQ(seenAt(scene, {0.5, 0, 0}), glm::dvec3(0)) << gap;
@@ -93,17 +89,17 @@ TEST(ReferenceWhitted, ContactGapIsSeen) {
 
 TEST(ReferenceWhitted, NothingBeyondTheLightBlocks) {
   Scene scene = litSquare();
-  scene.camera = test::downCamera({0, 0, 1.5}, 60, 64);
+  scene.camera = downCamera({0, 0, 1.5}, 60, 64);
   const glm::dvec3 open = seenAt(scene, {0.1, 0, 0});
-  scene.meshes.push_back(test::square(1, 2.0 + 1e-12));
-  scene.meshes.push_back(test::square(1, -1e-12));
+  scene.meshes.push_back(square(1, 2.0 + 1e-12));
+  scene.meshes.push_back(square(1, -1e-12));
   expectNear(seenAt(scene, {0.1, 0, 0}), open, 1e-11);
 }
 
 TEST(ReferenceWhitted, LightOnTheSurfaceGivesNothing) {
   Scene scene = litSquare();
   scene.lights[0].position = {0, 0, 0};
-  scene.camera = test::downCamera({0, 0, 4}, 90, 64);
+  scene.camera = downCamera({0, 0, 4}, 90, 64);
   EXPECT_EQ(Reference(scene).radiance({32, 32}), glm::dvec3(0));
 }
 
@@ -129,13 +125,13 @@ TEST(ReferenceWhitted, NoSelfShadowAtGrazingAngles) {
       scene.meshes[0].triangles.emplace_back(a, a + 10, a + 9);
     }
   }
-  scene.camera = test::downCamera(centre + glm::dvec3(0, 0, 3), 50, 64);
+  scene.camera = downCamera(centre + glm::dvec3(0, 0, 3), 50, 64);
   for (const double distance : {1.0, 10.0, 1e2, 1e4, 1e6}) {
     scene.lights[0] = {centre + distance * (s + 0.01 * normal), glm::dvec3(distance * distance)};
     const Reference renderer(scene);
     for (int i = 0; i < 2000; ++i) {
       const glm::dvec3 point = centre + unit(random) * s + unit(random) * t;
-      ASSERT_GT(renderer.radiance(test::filmOf(scene.camera, point)).x, 0) << distance;
+      ASSERT_GT(renderer.radiance(filmOf(scene.camera, point)).x, 0) << distance;
     }
   }
 }
@@ -156,4 +152,4 @@ TEST(ReferenceWhitted, ExactTranslationChangesNoBit) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace laver {
+namespace laver::test {
 namespace {
 
 constexpr Crop kArea{0, 0, 64, 64};
@@ -151,4 +151,4 @@ TEST(SampleMap, AFeatureThatOneSampleInAHundredMeetsIsNotBiased) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

@@ -7,7 +7,7 @@
 
 #include "reference/sampler.h"
 
-namespace laver::reference {
+namespace laver::test {
 namespace {
 
 Camera film(int width, int height) {
@@ -150,4 +150,4 @@ INSTANTIATE_TEST_SUITE_P(Samplers, Uniform,
                          testing::Values(&samplers::stratified, &samplers::sobol));
 
 }  // namespace
-}  // namespace laver::reference
+}  // namespace laver::test

@@ -2,7 +2,7 @@
 
 #include "render/pack_parts.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
 
 constexpr std::uint64_t kMultiplier = 6364136223846793005ULL;
@@ -67,4 +67,4 @@ TEST(SamplerTables, EveryLevelReachesTheSamplesOwnNumber) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

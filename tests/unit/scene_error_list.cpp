@@ -1,13 +1,12 @@
 // How errors are gathered and placed.
-#include "unit/scene_files.h"
+#include "support/scene_files.h"
 
+namespace laver::test {
 namespace {
-using namespace laver;
-using namespace laver::scene_test;
 
 class SceneErrorList : public testing::Test {
  protected:
-  Files files_;
+  SceneFiles files_;
 };
 
 TEST_F(SceneErrorList, AllOfAFileInItsOrder) {
@@ -69,3 +68,4 @@ TEST_F(SceneErrorList, LinesEndWithLfCrLfOrCr) {
 }
 
 }  // namespace
+}  // namespace laver::test

@@ -1,9 +1,8 @@
 // Every fault of a scene file, with the exact message.
-#include "unit/scene_files.h"
+#include "support/scene_files.h"
 
+namespace laver::test {
 namespace {
-using namespace laver;
-using namespace laver::scene_test;
 
 struct Case {
   const char* name;
@@ -14,7 +13,7 @@ void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
 class SceneErrors : public testing::TestWithParam<Case> {
  protected:
-  Files files_;
+  SceneFiles files_;
 };
 
 TEST_P(SceneErrors, AreToldWithPlaceAndExpectation) {
@@ -247,3 +246,4 @@ INSTANTIATE_TEST_SUITE_P(Transforms, SceneErrors, testing::ValuesIn(kTransforms)
 INSTANTIATE_TEST_SUITE_P(Lacking, SceneErrors, testing::ValuesIn(kLacking), kName);
 
 }  // namespace
+}  // namespace laver::test

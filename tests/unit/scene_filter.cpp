@@ -1,7 +1,7 @@
 // Another reconstruction filter than the scene's, as --filter asks for.
-#include "unit/scene_files.h"
+#include "support/scene_files.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
 
 using namespace scene_test;
@@ -26,7 +26,7 @@ TEST(SceneFilter, AnOverrideHasTheDefaultsOfItsKind) {
 }
 
 TEST(SceneFilter, NamesAndDefaultsAreTheXmls) {
-  const Files files;
+  const SceneFiles files;
   for (const char* name : {"gaussian", "mitchell", "tent", "box"}) {
     const FilterRow* row = rowCalled(filterRows(), name);
     ASSERT_NE(row, nullptr);
@@ -44,4 +44,4 @@ TEST(SceneFilter, NamesAndDefaultsAreTheXmls) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

@@ -1,14 +1,13 @@
 // What laver lacks is only warned of where the picture does not need it.
-#include "unit/scene_files.h"
+#include "support/scene_files.h"
 
+namespace laver::test {
 namespace {
-using namespace laver;
-using namespace laver::scene_test;
 
 class SceneLacking : public testing::Test {
  protected:
   void SetUp() override { files_.write("t.obj", kTriangle); }
-  Files files_;
+  SceneFiles files_;
 };
 
 TEST_F(SceneLacking, WhatTheIntegratorDoesNotNeedIsWarnedOf) {
@@ -50,3 +49,4 @@ TEST_F(SceneLacking, MeshWithAnAreaLightKeepsItsGeometry) {
 }
 
 }  // namespace
+}  // namespace laver::test

@@ -1,9 +1,8 @@
 // Where mesh files are found, and what the command line replaces.
-#include "unit/scene_files.h"
+#include "support/scene_files.h"
 
+namespace laver::test {
 namespace {
-using namespace laver;
-using namespace laver::scene_test;
 
 std::string meshOf(const std::string& file) {
   return scene("<mesh type=\"obj\"><string name=\"filename\" value=\"" + file + "\"/></mesh>");
@@ -29,7 +28,7 @@ class WorkingDirectory {
 };
 
 TEST(SceneLookup, BesideTheSceneBeforeTheWorkingDirectory) {
-  const Files files;
+  const SceneFiles files;
   files.write("scenes/m.obj", triangleAt(1));
   files.write("work/m.obj", triangleAt(2));
   files.write("work/only.obj", triangleAt(3));
@@ -41,7 +40,7 @@ TEST(SceneLookup, BesideTheSceneBeforeTheWorkingDirectory) {
 }
 
 TEST(SceneLookup, SceneOfTheWorkingDirectoryWithoutAPath) {
-  const Files files;
+  const SceneFiles files;
   files.write("m.obj", triangleAt(4));
   files.write("s.xml", meshOf("m.obj"));
   const WorkingDirectory inside(files.path("."));
@@ -49,7 +48,7 @@ TEST(SceneLookup, SceneOfTheWorkingDirectoryWithoutAPath) {
 }
 
 TEST(SceneLookup, ParentFoldersAndAbsolutePaths) {
-  const Files files;
+  const SceneFiles files;
   files.write("meshes/m.obj", triangleAt(5));
   const std::string a = files.write("scenes/a.xml", meshOf("../meshes/m.obj"));
   const std::string b = files.write("scenes/b.xml", meshOf(files.path("meshes/m.obj")));
@@ -58,7 +57,7 @@ TEST(SceneLookup, ParentFoldersAndAbsolutePaths) {
 }
 
 TEST(SceneLookup, FaultsOfASharedFileAreToldOnce) {
-  const Files files;
+  const SceneFiles files;
   files.write("m.obj", "f 1\n");
   files.write("sub/x", "");
   EXPECT_EQ(files.errors("<scene><integrator type=\"normals\"/>"
@@ -70,7 +69,7 @@ TEST(SceneLookup, FaultsOfASharedFileAreToldOnce) {
 }
 
 TEST(SceneLookup, SharedFileWithTwoTransforms) {
-  const Files files;
+  const SceneFiles files;
   files.write("t.obj", triangleAt(0));
   const auto s =
       files
@@ -83,14 +82,14 @@ TEST(SceneLookup, SharedFileWithTwoTransforms) {
 }
 
 TEST(SceneLookup, MeshWithoutFacesIsAWarning) {
-  const Files files;
+  const SceneFiles files;
   files.write("t.obj", "v 0 0 0\n");
   EXPECT_EQ(files.warnings(scene(mesh())), "f.xml:2:2: warning: mesh file \"t.obj\" has no faces");
   EXPECT_TRUE(files.load(scene(mesh())).scene.meshes.at(0).triangles.empty());
 }
 
 TEST(SceneLookup, PointAtInfinity) {
-  const Files files;
+  const SceneFiles files;
   files.write("t.obj", kTriangle);
   EXPECT_EQ(files.errors(scene(mesh("<transform name=\"toWorld\"><matrix value=\"1 0 0 0, 0 1 0 0, "
                                     "0 0 1 0, 1 0 0 -1\"/></transform>"))),
@@ -98,7 +97,7 @@ TEST(SceneLookup, PointAtInfinity) {
 }
 
 TEST(SceneOverride, IntegratorMakesAnotherAWarningAndLightsUnneeded) {
-  const Files files;
+  const SceneFiles files;
   files.write("t.obj", kTriangle);
   const std::string xml = scene(mesh("\n<bsdf type=\"mirror\"/>"), "path_mis");
   EXPECT_EQ(files.warnings(xml, with(integrators::normals)),
@@ -122,7 +121,7 @@ TEST(SceneOverride, IntegratorForASceneWithoutOne) {
 }
 
 TEST(SceneOverride, SizeSamplesAndSeedReplaceWhatTheSceneSays) {
-  const Files files;
+  const SceneFiles files;
   SceneOverrides overrides;
   overrides.size = {{30, 20}};
   overrides.sampleCount = 9;
@@ -140,7 +139,7 @@ TEST(SceneOverride, SizeSamplesAndSeedReplaceWhatTheSceneSays) {
 }
 
 TEST(SceneOverride, ASamplerTakesTheCountOfAnyOther) {
-  const Files files;
+  const SceneFiles files;
   SceneOverrides overrides;
   overrides.sampler = &samplers::sobol;
   for (const char* type : {"independent", "halton"}) {
@@ -156,7 +155,7 @@ TEST(SceneOverride, ASamplerTakesTheCountOfAnyOther) {
 }
 
 TEST(SceneSampler, StrataFarFromSquareAreAWarning) {
-  const Files files;
+  const SceneFiles files;
   const auto of = [](const char* count) {
     return scene("<sampler type=\"stratified\"><integer name=\"sampleCount\" value=\"" +
                  std::string(count) + "\"/></sampler>");
@@ -171,7 +170,7 @@ TEST(SceneSampler, StrataFarFromSquareAreAWarning) {
 }
 
 TEST(SceneOverride, AreCheckedThemselves) {
-  const Files files;
+  const SceneFiles files;
   SceneOverrides overrides;
   overrides.size = {{0, 20}};
   overrides.sampleCount = 0;
@@ -181,3 +180,4 @@ TEST(SceneOverride, AreCheckedThemselves) {
 }
 
 }  // namespace
+}  // namespace laver::test

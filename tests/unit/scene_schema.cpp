@@ -6,9 +6,9 @@
 #include <set>
 
 #include "scene/schema_text.h"
-#include "scene_files.h"
+#include "support/scene_files.h"
 
-namespace laver::scene_test {
+namespace laver::test {
 namespace {
 
 using nlohmann::json;
@@ -54,7 +54,7 @@ std::string requiredOf(const json& type, const json& besides) {
 }
 
 TEST(SceneSchema, TheReaderTakesEveryPropertyListed) {
-  const Files files;
+  const SceneFiles files;
   files.write("t.obj", kTriangle);
   int properties = 0;
   const json schema = schemaJson();
@@ -75,7 +75,7 @@ TEST(SceneSchema, TheReaderTakesEveryPropertyListed) {
 }
 
 TEST(SceneSchema, ADefaultThatIsWrittenChangesNothing) {
-  const Files files;
+  const SceneFiles files;
   files.write("t.obj", kTriangle);
   const json schema = schemaJson();
   for (const json& element : schema["elements"])
@@ -90,7 +90,7 @@ TEST(SceneSchema, ADefaultThatIsWrittenChangesNothing) {
 }
 
 TEST(SceneSchema, TheReaderTakesEveryOperationListed) {
-  const Files files;
+  const SceneFiles files;
   files.write("t.obj", kTriangle);
   const json schema = schemaJson();
   for (const json& operation : schema["transform"]) {
@@ -147,7 +147,7 @@ TEST(SceneSchema, TheReadmesExampleIsListedAndAccepted) {
   const std::size_t begin = text.find("<scene>"), end = text.find("</scene>", begin);
   ASSERT_NE(end, std::string::npos);
   const std::string xml = text.substr(begin, end + 8 - begin);
-  const Files files;
+  const SceneFiles files;
   files.write("meshes/bunny.obj", kTriangle);
   EXPECT_EQ(files.errors(xml), "");
   EXPECT_EQ(files.warnings(xml), "");
@@ -172,4 +172,4 @@ TEST(SceneSchema, TheTextHoldsAllThatTheJsonHolds) {
 }
 
 }  // namespace
-}  // namespace laver::scene_test
+}  // namespace laver::test

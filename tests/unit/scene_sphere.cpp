@@ -1,14 +1,14 @@
 // Meshes of type "sphere": what the reader makes of them, and the reference.
 #include <numbers>
 
-#include "reference_seen.h"
-#include "scene_files.h"
+#include "support/scene_files.h"
+#include "unit/reference_seen.h"
 
-namespace laver::scene_test {
+namespace laver::test {
 namespace {
 
 TEST(SceneSphere, HasItsCentreRadiusAndMaterial) {
-  const Files files;
+  const SceneFiles files;
   const Scene s = files
                       .load(scene("<mesh type=\"sphere\"><point name=\"center\" value=\"1, 2, 3\"/>"
                                   "<float name=\"radius\" value=\"0.5\"/><bsdf type=\"diffuse\">"
@@ -26,7 +26,7 @@ TEST(SceneSphere, HasItsCentreRadiusAndMaterial) {
 }
 
 TEST(SceneSphere, NeedsARadiusAboveZeroAndTakesNoTransform) {
-  const Files files;
+  const SceneFiles files;
   EXPECT_EQ(
       files.errors(scene("<mesh type=\"sphere\"><float name=\"radius\" value=\"-1\"/></mesh>")),
       "f.xml:2:22: error: radius must be more than 0, found -1");
@@ -43,14 +43,11 @@ Scene litSphere(const IntegratorRow& integrator) {
   s.meshes.resize(1);
   s.meshes[0].sphere = Sphere{{0.5, 0.0, 0.0}, 0.25};
   s.meshes[0].bsdf.albedo = {0.2, 0.5, 0.8};
-  s.meshes.push_back(test::square(3, -2));
-  s.camera = test::downCamera({0.5, 0, 4}, 60, 64);
+  s.meshes.push_back(square(3, -2));
+  s.camera = downCamera({0.5, 0, 4}, 60, 64);
   s.lights = {{{0.5, 0, 2.25}, {4, 8, 12}}};
   return s;
 }
-
-using test::expectNear;
-using test::seenAt;
 
 TEST(ReferenceSphere, DepthNormalsAndLightAtItsTop) {
   const glm::dvec3 top(0.5, 0, 0.25);
@@ -72,7 +69,7 @@ TEST(ReferenceSphere, NormalsAsideAndTheSquareBeyond) {
 TEST(ReferenceSphere, ShadesWhatIsBelowAndNotItself) {
   const Scene s = litSphere(integrators::directWhitted);
   Scene below = s;
-  below.camera = test::downCamera({0.5, 0, -1}, 60, 64);
+  below.camera = downCamera({0.5, 0, -1}, 60, 64);
   EXPECT_EQ(seenAt(below, {0.6, 0, -2}), glm::dvec3(0));
   EXPECT_GT(seenAt(s, {1.9, 0, -2}).x, 0.0);
   // From the light the sphere's outline lies at cos = r / d of its centre.
@@ -125,4 +122,4 @@ TEST(ReferenceSphere, FromInsideItIsSeenAllAround) {
 }
 
 }  // namespace
-}  // namespace laver::scene_test
+}  // namespace laver::test

@@ -6,11 +6,10 @@
 #include "scene/schema.h"
 #include "scene/suggest.h"
 #include "scene/text_source.h"
-#include "unit/scene_files.h"
+#include "support/scene_files.h"
 
+namespace laver::test {
 namespace {
-using namespace laver;
-using namespace laver::scene_test;
 
 TEST(SceneNumbers, Reals) {
   EXPECT_EQ(parseReal("-1.5e-3").value, -1.5e-3);
@@ -91,7 +90,7 @@ TEST(SceneSchema, IntegratorNamesAreThoseOfTheTable) {
 }
 
 TEST(SceneDescribe, EmptySceneIsTheHandOuts) {
-  const Files files;
+  const SceneFiles files;
   EXPECT_EQ(describe(files.load(scene("")).scene),
             "Scene[\n"
             "  integrator = NormalIntegrator[],\n"
@@ -114,7 +113,7 @@ TEST(SceneDescribe, EmptySceneIsTheHandOuts) {
 }
 
 TEST(SceneDescribe, Samplers) {
-  const Files files;
+  const SceneFiles files;
   for (const auto& [type, text] :
        {std::pair("stratified", "  sampler = Stratified[sampleCount=1]\n"),
         std::pair("sobol", "  sampler = Sobol[sampleCount=1]\n")})
@@ -124,7 +123,7 @@ TEST(SceneDescribe, Samplers) {
 }
 
 TEST(SceneDescribe, MeshesLightsFilterAndSeed) {
-  const Files files;
+  const SceneFiles files;
   files.write("t.obj", kTriangle);
   const std::string text = describe(
       files
@@ -162,7 +161,7 @@ TEST(SceneDescribe, MeshesLightsFilterAndSeed) {
 
 // Damaged files end in a scene or in an Error of the right kind, never otherwise.
 TEST(SceneDamage, NeverEscapesTheErrorType) {
-  const Files files;
+  const SceneFiles files;
   files.write("t.obj", kTriangle);
   const std::string good =
       "<?xml version=\"1.0\"?><!-- c -->" +
@@ -203,8 +202,8 @@ TEST(SceneDamage, NeverEscapesTheErrorType) {
   EXPECT_GT(refused, 100);
 }
 
-TEST(SceneDamage, OfMeshesNeverEscapesEither) {
-  const Files files;
+TEST(SceneDamage, OfMeshesNeverEscapesTheErrorType) {
+  const SceneFiles files;
   const std::string good =
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nvt 0 0\nvn 0 0 1\nf 1/1/1 2//1 -2\nf 1 2 3 4\n";
   std::mt19937 random(2);
@@ -227,3 +226,4 @@ TEST(SceneDamage, OfMeshesNeverEscapesEither) {
 }
 
 }  // namespace
+}  // namespace laver::test

@@ -1,10 +1,9 @@
 // Textures and backgrounds of scene files: every value in its place, and every fault with its own.
-#include "unit/picture_files.h"
-#include "unit/scene_files.h"
+#include "support/picture_files.h"
+#include "support/scene_files.h"
 
+namespace laver::test {
 namespace {
-using namespace laver;
-using namespace laver::scene_test;
 
 const char* const kUvTriangle =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n";
@@ -13,7 +12,7 @@ class SceneTextures : public testing::Test {
  protected:
   void SetUp() override {
     files_.write("t.obj", kUvTriangle);
-    files_.write("a.png", picture_test::png(1, 1, 8, PNG_COLOR_TYPE_RGB, {{10, 20, 30}}));
+    files_.write("a.png", png(1, 1, 8, PNG_COLOR_TYPE_RGB, {{10, 20, 30}}));
   }
   // A mesh whose bsdf holds some tags, for direct_whitted.
   static std::string whitted(const std::string& insideBsdf, const std::string& after = "") {
@@ -24,7 +23,7 @@ class SceneTextures : public testing::Test {
     return "<texture type=\"textmap\" name=\"albedo\"><string name=\"filename\" value=\"" + name +
            "\"/>" + inside + "</texture>";
   }
-  Files files_;
+  SceneFiles files_;
 };
 
 TEST_F(SceneTextures, ACheckerHasNorisDefaults) {
@@ -179,3 +178,4 @@ TEST_F(SceneTextures, TheDumpNamesThem) {
 }
 
 }  // namespace
+}  // namespace laver::test

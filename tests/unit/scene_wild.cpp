@@ -1,14 +1,13 @@
 // One scene for each way in which scenes in the wild are written, and what is only warned of.
-#include "unit/scene_files.h"
+#include "support/scene_files.h"
 
+namespace laver::test {
 namespace {
-using namespace laver;
-using namespace laver::scene_test;
 
 class SceneWild : public testing::Test {
  protected:
   void SetUp() override { files_.write("t.obj", kTriangle); }
-  Files files_;
+  SceneFiles files_;
 };
 
 TEST_F(SceneWild, FirstSceneOfTheHandOut) {
@@ -223,3 +222,4 @@ TEST_F(SceneWild, ByteOrderMarkAndEntities) {
 }
 
 }  // namespace
+}  // namespace laver::test

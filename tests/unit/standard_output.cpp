@@ -7,7 +7,7 @@
 
 #include <cerrno>
 
-namespace laver {
+namespace laver::test {
 namespace {
 
 /// In a process without the standard descriptors of `closed`: 0 if files opened after
@@ -35,4 +35,4 @@ TEST(StandardDescriptors, AreOccupiedWhereTheyAreClosed) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

@@ -3,7 +3,7 @@
 #include "render/tiling.h"
 #include "render/traversal.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
 
 VkPhysicalDeviceLimits lavapipeLimits() {
@@ -137,4 +137,4 @@ TEST(PacketWindow, NarrowsWithThePrimitivesAndHolds) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

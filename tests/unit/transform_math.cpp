@@ -7,8 +7,8 @@
 
 #include "scene/transform.h"
 
+namespace laver::test {
 namespace {
-using namespace laver;
 
 const glm::dmat4 kOne(1.0);
 glm::dmat4 turn() { return *rotation({1, 2, 3}, 40.0); }
@@ -93,3 +93,4 @@ TEST(TransformNormals, AreThoseOfTheInverseTranspose) {
 }
 
 }  // namespace
+}  // namespace laver::test

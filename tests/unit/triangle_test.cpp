@@ -5,8 +5,10 @@
 
 #include <random>
 
-namespace laver::shared {
+namespace laver::test {
 namespace {
+
+using namespace shared;
 
 struct Fan {
   vec3 centre;
@@ -108,4 +110,4 @@ TEST(TriangleTest, BlocksOnlyPointsOnBothSides) {
 }
 
 }  // namespace
-}  // namespace laver::shared
+}  // namespace laver::test

@@ -13,7 +13,7 @@
 #include "show/view_layers.h"
 #include "show/viewed_pictures.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
 
 std::vector<std::string> namesOf(const std::vector<ViewLayer>& layers) {
@@ -219,4 +219,4 @@ TEST(ViewedPictures, TakesRowsAndInTheEndAll) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

@@ -5,12 +5,10 @@
 
 #include "stability/twin/walk.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 using namespace shared;
-using test::TestHit;
-using test::TestRay;
 
 TestHit closestOne(const Bvh& bvh, const TestRay& r) {
   const Shear shear = shearOf(r.direction);
@@ -105,4 +103,4 @@ constexpr Twin kTwin{LAVER_TWIN_NAME, closest, visible, point, box, inside};
 [[gnu::visibility("default")]] const Twin* LAVER_TWIN();
 const Twin* LAVER_TWIN() { return &kTwin; }
 
-}  // namespace laver::stability
+}  // namespace laver::test

@@ -8,13 +8,13 @@
 #include "shared/sphere.h"
 #include "trace/ray_tracer.h"
 
-namespace laver::stability {
+namespace laver::test {
 
 /// The kernels' text of shaders/shared compiled as C++, one of these for each way of compiling.
 struct Twin {
   const char* name;
   /// As RayTracer's queries; every ray has its own origin.
-  void (*closest)(const Bvh& bvh, std::span<const test::TestRay> rays, test::TestHit* hits);
+  void (*closest)(const Bvh& bvh, std::span<const TestRay> rays, TestHit* hits);
   void (*visible)(const Bvh& bvh, glm::vec3 light, std::span<const glm::vec3> points,
                   std::uint32_t* seen);
   shared::Point (*point)(glm::vec3 origin, glm::vec3 direction, const shared::Triangle& triangle);
@@ -28,4 +28,4 @@ struct Twin {
 /// absent where the processor has no fused multiply-add.
 std::vector<const Twin*> twins();
 
-}  // namespace laver::stability
+}  // namespace laver::test

@@ -1,6 +1,6 @@
 #include "stability/twin/twin.h"
 
-namespace laver::stability {
+namespace laver::test {
 
 const Twin* twinUnoptimised();
 const Twin* twinOptimised();
@@ -16,4 +16,4 @@ std::vector<const Twin*> twins() {
   return all;
 }
 
-}  // namespace laver::stability
+}  // namespace laver::test

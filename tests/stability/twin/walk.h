@@ -4,7 +4,7 @@
 #include "bvh/bvh.h"
 #include "shared/box.h"
 
-namespace laver::stability {
+namespace laver::test {
 
 /// The walk of shaders/lane_walk.glsl over the tree that buildBvh made. `box(lo, hi)` gives the
 /// span of depths inside a box; `leaf(triangle, last)` may lower `last` and returns true to end the
@@ -41,4 +41,4 @@ void walk(const Bvh& bvh, glm::vec3 direction, float last, const BoxTest& box,
   }
 }
 
-}  // namespace laver::stability
+}  // namespace laver::test

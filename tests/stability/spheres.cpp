@@ -12,13 +12,12 @@
 #include "stability/subject.h"
 #include "stability/surfaces.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 using exact::Quad;
 using glm::dvec3;
 using glm::vec3;
-using test::TestRay;
 
 shared::Triangle sphereOf(vec3 centre, float radius, std::uint32_t id) {
   return {centre, id, vec3(radius), 0, vec3(0.0F), shared::IS_SPHERE};
@@ -144,7 +143,7 @@ Errors judge(const Setting& s, const std::vector<TestRay>& rays, const Twin* twi
   return errors;
 }
 
-LAVER_STABILITY(18, Spheres, "Spheres: far, huge, tiny, grazing, from inside") {
+LAVER_STABILITY(Spheres, "Spheres: far, huge, tiny, grazing, from inside") {
   for (const Setting& s : kSettings) {
     const std::vector<shared::Triangle> spheres{sphereOf(s.centre, s.radius, 0)};
     const Bvh bvh = buildBvh(spheres);
@@ -161,7 +160,7 @@ LAVER_STABILITY(18, Spheres, "Spheres: far, huge, tiny, grazing, from inside") {
       record.add({fmt::format("outline: {}", s.name), subject->name, rays.size(),
                   fails ? std::optional(static_cast<double>(naive.outline)) : std::nullopt,
                   static_cast<double>(ours.outline), 0.0, "rays"});
-      // As case 9 wants of triangles.
+      // As the case Slivers wants of triangles.
       record.add({fmt::format("t, 99th percentile at cos > 0.1: {}", s.name), subject->name,
                   ours.t.size(), percentile(naive.t, 0.99), percentile(ours.t, 0.99), 4.0, "ulp"});
       if (subject->twin != nullptr)
@@ -189,7 +188,7 @@ std::vector<vec3> litPoints(Subject& subject, const Bvh& bvh, const Setting& s, 
   return points;
 }
 
-LAVER_STABILITY(19, BallShadows, "Spheres shade neither themselves nor nothing") {
+LAVER_STABILITY(SphereShadows, "Spheres shade neither themselves nor nothing") {
   const vec3 towards = glm::normalize(vec3(0.5F, 0.7F, -0.3F));
   for (const Setting& s : {kSettings[0], kSettings[1], kSettings[2],
                            Setting{"radius 1 from 3", 1.0F, 3.0F, vec3(0.0F)}}) {
@@ -198,7 +197,7 @@ LAVER_STABILITY(19, BallShadows, "Spheres shade neither themselves nor nothing")
     for (const float distance : {1.5F, 1e2F, 1e4F}) {
       const vec3 light = s.centre + towards * distance;
       std::uint64_t naive = 0;
-      for (const TestRay& r : rays) {  // as case 4: a scene of a thousand units, mint 1e-4
+      for (const TestRay& r : rays) {  // as in Acne: a scene of a thousand units, mint 1e-4
         const float k = 1e3F;
         const vec3 d = glm::normalize(r.direction);
         const float t = taught(r.origin * k, d, s.centre * k, s.radius * k, 1e-4F);
@@ -222,7 +221,7 @@ LAVER_STABILITY(19, BallShadows, "Spheres shade neither themselves nor nothing")
   }
 }
 
-LAVER_STABILITY(20, BallContact, "Spheres that touch cast their whole shadow") {
+LAVER_STABILITY(SphereContact, "Spheres that touch cast their whole shadow") {
   // One stands on the other, 0, 1 or 8 ulp above it or as much inside; the light is overhead.
   const float radius = 0.5F;
   for (const int ulps : {-8, -1, 0, 1, 8}) {
@@ -254,4 +253,4 @@ LAVER_STABILITY(20, BallContact, "Spheres that touch cast their whole shadow") {
 }
 
 }  // namespace
-}  // namespace laver::stability
+}  // namespace laver::test

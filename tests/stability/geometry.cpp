@@ -7,12 +7,10 @@
 #include "pictures/harness.h"
 #include "stability/record.h"
 #include "stability/subject.h"
-#include "unit/scene_files.h"
+#include "support/scene_files.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
-
-using scene_test::Files;
 
 struct Bad {
   const char* name;
@@ -54,11 +52,11 @@ std::string sceneOf(const Bad& bad) {
          "</mesh></scene>";
 }
 
-LAVER_STABILITY(13, Geometry, "Bad geometry: stated behaviour, with the message") {
+LAVER_STABILITY(Geometry, "Bad geometry: stated behaviour, with the message") {
   std::vector<std::vector<std::string>> cells{{"input", "behaviour", "message"}};
   std::uint64_t wrong = 0;
   for (const Bad& bad : kBad) {
-    Files files;
+    SceneFiles files;
     files.write("bad.obj", bad.obj);
     if (!bad.says.empty()) {
       const std::string error = files.errors(sceneOf(bad));
@@ -91,4 +89,4 @@ LAVER_STABILITY(13, Geometry, "Bad geometry: stated behaviour, with the message"
 }
 
 }  // namespace
-}  // namespace laver::stability
+}  // namespace laver::test

@@ -11,7 +11,7 @@
 #include "stability/subject.h"
 #include "stability/surfaces.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 using glm::dvec3;
@@ -56,7 +56,7 @@ bool naiveSees(const Contact& c, double light) {
     const glm::vec3 p(c.at(floorPoint(i).x, floorPoint(i).y, 0.0));
     const glm::vec3 way = glm::vec3(c.at(0.0, 0.0, light)) - p;
     const float length = glm::length(way);
-    test::TestHit hit{};
+    TestHit hit{};
     if (std::none_of(triangles.begin(), triangles.end(), [&](const auto& t) {
           return naive::moellerTrumbore(p, way / length, t, 1e-4F, length * (1 - 1e-4F), hit);
         }))
@@ -84,7 +84,7 @@ bool seesAll(Subject& subject, const Contact& c, const Packed& data, double ligh
   return std::count(seen.begin(), seen.end(), 0U) == static_cast<std::ptrdiff_t>(seen.size());
 }
 
-LAVER_STABILITY(05, Contact, "The smallest contact gap that still casts a shadow") {
+LAVER_STABILITY(Contact, "The smallest contact gap that still casts a shadow") {
   // Largest first: the sweep ends where some point under the plate sees the light.
   // By halves, then by 2^-24 of the half-width, an ulp at 0.9 of it.
   std::vector<double> gaps;
@@ -102,7 +102,7 @@ LAVER_STABILITY(05, Contact, "The smallest contact gap that still casts a shadow
     for (const auto& [scale, light] :
          {std::pair(1e-3, 1.0), std::pair(1.0, 1.0), std::pair(1e3, 1.0), std::pair(1.0, 1e2),
           std::pair(1.0, 1e4)}) {
-      // At 1e3 Nori's mint is small enough, and its plane shades itself (case 4).
+      // At 1e3 Nori's mint is small enough, and its plane shades itself (Acne).
       double naiveGap = 1.0;
       std::map<std::string, double> smallest;
       std::vector<std::string> order;
@@ -128,4 +128,4 @@ LAVER_STABILITY(05, Contact, "The smallest contact gap that still casts a shadow
 }
 
 }  // namespace
-}  // namespace laver::stability
+}  // namespace laver::test

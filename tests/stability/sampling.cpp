@@ -9,7 +9,7 @@
 #include "stability/subject.h"
 #include "stability/surfaces.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 /// Half-plane x < 0.2 y of the plane z = 0, seen along z by box filter; |n| is 1 there.
@@ -44,7 +44,7 @@ double edgeError(const SamplerRow* sampler, std::uint32_t samples) {
   const Scene scene = edge(sampler, samples);
   VulkanOptions vulkan;
   vulkan.device = testDevice();
-  const Image image = test::render(scene, vulkan);
+  const Image image = render(scene, vulkan);
   double squares = 0;
   int count = 0;
   for (int y = 0; y < 64; ++y)
@@ -71,7 +71,7 @@ constexpr std::array kTheories = {Theory{&samplers::independent, -0.5, "-1/2", 0
                                   Theory{&samplers::stratified, -0.75, "-3/4", 0.056},
                                   Theory{&samplers::sobol, -0.75, "-3/4", 0.037}};
 
-LAVER_STABILITY(17, Sampling, "Sampler slopes at an edge") {
+LAVER_STABILITY(Sampling, "Sampler slopes at an edge") {
   const std::uint32_t few = 16, many = full ? 4096 : 1024;
   std::optional<double> plain;  // slope of `independent`, the naive method to the others
   for (const Theory& theory : kTheories) {
@@ -87,4 +87,4 @@ LAVER_STABILITY(17, Sampling, "Sampler slopes at an edge") {
 }
 
 }  // namespace
-}  // namespace laver::stability
+}  // namespace laver::test

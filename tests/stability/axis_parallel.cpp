@@ -11,7 +11,7 @@
 #include "stability/record.h"
 #include "stability/subject.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 constexpr int kCells = 64;  // facets' corners lie on multiples of 1/64, which floats hold
@@ -62,10 +62,10 @@ glm::vec3 axisDirection(std::mt19937& random) {
   return d;
 }
 
-LAVER_STABILITY(03, AxisParallel, "Axis-parallel rays, origin on a face, through the BVH") {
+LAVER_STABILITY(AxisParallel, "Axis-parallel rays, origin on a face, through the BVH") {
   const ClosedMesh mesh = cube();
   const Bvh tight = chart::withTightBoxes(mesh.bvh);
-  std::vector<test::TestRay> rays(amount(full, 1ULL << 18, 1ULL << 21) / 64 * 64);
+  std::vector<TestRay> rays(amount(full, 1ULL << 18, 1ULL << 21) / 64 * 64);
   std::mt19937 random(1);
   glm::vec3 origin(0.0F);
   std::uint64_t naiveMisses = 0;
@@ -86,4 +86,4 @@ LAVER_STABILITY(03, AxisParallel, "Axis-parallel rays, origin on a face, through
 }
 
 }  // namespace
-}  // namespace laver::stability
+}  // namespace laver::test

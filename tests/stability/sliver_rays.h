@@ -4,13 +4,13 @@
 #include "bvh/bvh.h"
 #include "trace/ray_tracer.h"
 
-namespace laver::stability {
+namespace laver::test {
 
 /// Triangles of one aspect ratio, longest edge by height, of about 0.1 in a unit box, and for each
 /// a ray that meets it inside.
 struct SliverRay {
   shared::Triangle triangle;
-  test::TestRay ray;
+  TestRay ray;
   double cosine;  ///< of the incidence, about
 };
 
@@ -18,4 +18,4 @@ struct SliverRay {
 SliverRay sliverRay(double aspect, double distance, double leastCosine, double mostCosine,
                     std::mt19937& random);
 
-}  // namespace laver::stability
+}  // namespace laver::test

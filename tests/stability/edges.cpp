@@ -10,16 +10,16 @@
 #include "stability/record.h"
 #include "stability/subject.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 constexpr std::uint64_t kBatch = 4096;     // rays of one generator
 constexpr std::uint64_t kChunk = 1 << 18;  // rays that all subjects trace
 
-/// Rays from points inside a ball of `radius`, 64 from each, half of them aimed at vertices.
-std::vector<test::TestRay> aimedRays(const ClosedMesh& mesh, glm::dvec3 centre, double radius,
-                                     std::uint64_t chunk) {
-  std::vector<test::TestRay> rays(kChunk);
+/// Rays from points inside a sphere of `radius`, 64 from each, half of them aimed at vertices.
+std::vector<TestRay> aimedRays(const ClosedMesh& mesh, glm::dvec3 centre, double radius,
+                               std::uint64_t chunk) {
+  std::vector<TestRay> rays(kChunk);
   forBatches(kChunk, kBatch, chunk, [&](std::uint64_t first, std::mt19937& random) {
     std::uniform_real_distribution<double> inside(-0.17 * radius, 0.17 * radius);
     glm::vec3 origin;
@@ -31,8 +31,7 @@ std::vector<test::TestRay> aimedRays(const ClosedMesh& mesh, glm::dvec3 centre, 
   return rays;
 }
 
-std::uint64_t missesOf(const Bvh& bvh, naive::Method method,
-                       const std::vector<test::TestRay>& rays) {
+std::uint64_t missesOf(const Bvh& bvh, naive::Method method, const std::vector<TestRay>& rays) {
   std::atomic<std::uint64_t> count = 0;
   parallelFor(rays.size(), kBatch, 0, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
@@ -59,14 +58,14 @@ void addPicture(Record& record, const ClosedMesh& mesh, const Bvh& listed, Subje
       before, after);
 }
 
-LAVER_STABILITY(01, Edges, "Edge and vertex rays at closed meshes") {
+LAVER_STABILITY(Edges, "Edge and vertex rays at closed meshes") {
   // The whole is 1e8 rays, shared among the offsets and the traversals that run on a device.
   const std::uint64_t chunks = amount(full, 4, 64);
   for (const double offset : {0.0, 1e3, 1e5}) {
-    // At 1e5 floats are 2^-7 apart: a ball of radius 10 keeps its 82,000 triangles apart.
+    // At 1e5 floats are 2^-7 apart: a sphere of radius 10 keeps its 82,000 triangles apart.
     const double radius = offset > 1e4 ? 10.0 : 1.0;
     const glm::dvec3 centre = offset * glm::dvec3(1.0, 0.7, -0.4);
-    const ClosedMesh mesh = bumpyBall(radius, centre);
+    const ClosedMesh mesh = closedBumpySphere(radius, centre);
     const Bvh listed = inListedOrder(mesh);
     const auto all = subjects(mesh.bvh);
     std::vector<std::uint64_t> traced(all.size()), misses(all.size());
@@ -101,4 +100,4 @@ LAVER_STABILITY(01, Edges, "Edge and vertex rays at closed meshes") {
 }
 
 }  // namespace
-}  // namespace laver::stability
+}  // namespace laver::test

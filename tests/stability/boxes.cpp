@@ -11,7 +11,7 @@
 #include "stability/record.h"
 #include "unit/box.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 using glm::vec3;
@@ -85,7 +85,7 @@ TestRay rayAt(const Box& box, Kind kind, float offset, std::mt19937& random) {
   return ray;
 }
 
-LAVER_STABILITY(02, Boxes, "Slabs: box edges, faces, tiny components, signed zeros, far offsets") {
+LAVER_STABILITY(Boxes, "Slabs: box edges, faces, tiny components, signed zeros, far offsets") {
   for (const float offset : {0.0F, 1e6F}) {
     const std::vector<TreeBox> boxes = treeBoxes(offset);
     for (const Kind kind : {Kind::Edges, Kind::InAFace, Kind::TinyComponent, Kind::ZeroComponent}) {
@@ -116,4 +116,4 @@ LAVER_STABILITY(02, Boxes, "Slabs: box edges, faces, tiny components, signed zer
 }
 
 }  // namespace
-}  // namespace laver::stability
+}  // namespace laver::test

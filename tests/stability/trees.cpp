@@ -8,8 +8,9 @@
 #include "stability/meshes.h"
 #include "stability/record.h"
 #include "stability/subject.h"
+#include "support/bumpy_sphere.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 struct Case {
@@ -45,10 +46,10 @@ std::vector<Case> scenes() {
   positions.clear();
   triangles.clear();
   for (int shell = 1; shell <= 40; ++shell) {
-    const Mesh ball = test::ball(10, 12, 0.0, glm::dvec3(0.0));
+    const Mesh sphere = bumpySphere(10, 12, 0.0, glm::dvec3(0.0));
     const auto first = static_cast<std::uint32_t>(positions.size());
-    for (const glm::dvec3& p : ball.positions) positions.emplace_back(p * (shell / 41.0));
-    for (const glm::uvec3& t : ball.triangles) triangles.push_back(t + first);
+    for (const glm::dvec3& p : sphere.positions) positions.emplace_back(p * (shell / 41.0));
+    for (const glm::uvec3& t : sphere.triangles) triangles.push_back(t + first);
   }
   all.push_back({"40 shells", packed(positions, triangles)});
   return all;
@@ -59,7 +60,7 @@ std::uint32_t depthOf(const BinaryTree& tree, const Subtree& s) {
   return 1 + std::max(depthOf(tree, tree.left(s)), depthOf(tree, tree.right(s)));
 }
 
-LAVER_STABILITY(12, Trees, "Trees: cascade, duplicates, shells") {
+LAVER_STABILITY(Trees, "Trees: cascade, duplicates, shells") {
   for (Case& c : scenes()) {
     UninitialisedVector<BuildItem> items;
     for (const shared::Triangle& t : c.triangles)
@@ -75,7 +76,7 @@ LAVER_STABILITY(12, Trees, "Trees: cascade, duplicates, shells") {
 
     std::mt19937 random(12);
     std::uniform_real_distribution<float> place(-1.0F, 1.0F);
-    std::vector<test::TestRay> rays(amount(full, 1ULL << 12, 1ULL << 15));
+    std::vector<TestRay> rays(amount(full, 1ULL << 12, 1ULL << 15));
     glm::vec3 eye(0.0F);
     for (std::size_t i = 0; i < rays.size(); ++i) {
       if (i % 64 == 0) eye = {place(random), place(random), 2.0F};
@@ -89,7 +90,7 @@ LAVER_STABILITY(12, Trees, "Trees: cascade, duplicates, shells") {
     for (std::size_t i = 0; i < flat.triangles.size(); ++i)
       flat.triangles[i].more = static_cast<std::uint32_t>(flat.triangles.size() - 1 - i);
     flat.root = shared::REF_LEAF;
-    std::vector<test::TestHit> truth(rays.size());
+    std::vector<TestHit> truth(rays.size());
     twins()[1]->closest(flat, rays, truth.data());
     for (const auto& subject : subjects(bvh)) {
       const auto hits = subject->closest(rays);
@@ -108,4 +109,4 @@ LAVER_STABILITY(12, Trees, "Trees: cascade, duplicates, shells") {
 }
 
 }  // namespace
-}  // namespace laver::stability
+}  // namespace laver::test

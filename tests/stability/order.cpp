@@ -16,7 +16,7 @@
 #include "stability/surfaces.h"
 #include "stability/twin/walk.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 /// A wavy sheet twice over, the copy's triangles listing their corners from another one on: as
@@ -38,12 +38,12 @@ struct Sheets {
   Bvh listed;
 };
 
-std::array<std::uint32_t, 4> bitsOf(const test::TestHit& hit) {
+std::array<std::uint32_t, 4> bitsOf(const TestHit& hit) {
   return std::bit_cast<std::array<std::uint32_t, 4>>(hit);
 }
 
 /// The first met at the least t wins, as usual.
-std::uint32_t naiveWinner(const Bvh& bvh, const test::TestRay& ray) {
+std::uint32_t naiveWinner(const Bvh& bvh, const TestRay& ray) {
   std::uint32_t best = shared::NO_HIT;
   const auto box = shared::boxRayOf(ray.origin, ray.direction, shared::shearOf(ray.direction).axis);
   float nearest = INFINITY;
@@ -51,7 +51,7 @@ std::uint32_t naiveWinner(const Bvh& bvh, const test::TestRay& ray) {
       bvh, ray.direction, 3.4e38F,
       [&](glm::vec3 lo, glm::vec3 hi) { return shared::boxSpan(box, 0.0F, lo, hi); },
       [&](const shared::Triangle& t, float&) {
-        test::TestHit hit{};
+        TestHit hit{};
         if (naive::moellerTrumbore(ray.origin, ray.direction, t, 0.0F, INFINITY, hit) &&
             hit.t < nearest) {
           nearest = hit.t;
@@ -64,12 +64,12 @@ std::uint32_t naiveWinner(const Bvh& bvh, const test::TestRay& ray) {
 
 /// Floats of pictures made in other ways that differ from those of one render, whole.
 std::uint64_t otherBits(const std::string& traversal) {
-  const Scene scene = test::smallScene("curved-normals.xml", 90, 3);
+  const Scene scene = smallScene("curved-normals.xml", 90, 3);
   VulkanOptions vulkan;
   vulkan.device = testDevice();
   vulkan.traversal = traversal;
-  const Image whole = test::render(scene, vulkan);
-  std::uint64_t differ = test::differingFloats(whole, test::render(scene, vulkan));
+  const Image whole = render(scene, vulkan);
+  std::uint64_t differ = differingFloats(whole, render(scene, vulkan));
   VulkanOptions pieces = vulkan;
   pieces.samplesInFlight = 1000;
   Stats stats;
@@ -78,7 +78,7 @@ std::uint64_t otherBits(const std::string& traversal) {
   RenderOptions cropped;
   cropped.threads = 1;
   cropped.crop = Crop{33, 5, 71, 44};
-  const Image part = test::render(scene, vulkan, cropped);
+  const Image part = render(scene, vulkan, cropped);
   for (int y = 0; y < part.height; ++y)
     for (int x = 0; x < part.width; ++x)
       for (std::size_t c = 0; c < 3; ++c)
@@ -86,12 +86,12 @@ std::uint64_t otherBits(const std::string& traversal) {
   return differ;
 }
 
-LAVER_STABILITY(08, Order, "Ties: child order, triangle order, node width, traversal") {
+LAVER_STABILITY(Order, "Ties: child order, triangle order, node width, traversal") {
   const Sheets sheets;
   const auto half = static_cast<std::uint32_t>(sheets.triangles.size() / 2);
   constexpr std::size_t kSide = 96;
   const std::size_t step = full ? 8 : 2, side = step * kSide;
-  std::vector<test::TestRay> rays;
+  std::vector<TestRay> rays;
   for (std::size_t y = 0; y < side; ++y)
     for (std::size_t x = 0; x < side; ++x) {
       const glm::vec3 target((2.0F * static_cast<float>(x) + 1.0F) / static_cast<float>(side) - 1,
@@ -117,7 +117,7 @@ LAVER_STABILITY(08, Order, "Ties: child order, triangle order, node width, trave
   trees.push_back({"two children a node",
                    {withTwoChildren(sheets.sorted.bvh), withTwoChildren(sheets.listed)}});
 
-  std::vector<test::TestHit> wanted;
+  std::vector<TestHit> wanted;
   std::vector<std::uint32_t> naiveWanted;
   Bitmap before(kSide, kSide, {}), after(kSide, kSide, {});
   for (const auto& [name, tree] : trees) {
@@ -164,4 +164,4 @@ LAVER_STABILITY(08, Order, "Ties: child order, triangle order, node width, trave
 }
 
 }  // namespace
-}  // namespace laver::stability
+}  // namespace laver::test

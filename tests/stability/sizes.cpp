@@ -1,5 +1,5 @@
-// Scenes of any size give the picture of the same scene at size 1, and (case 6) the same bits where
-// the size is a power of two.
+// Scenes of any size give the picture of the same scene at size 1, and (PowersOfTwo) the same bits
+// where the size is a power of two.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "stability/subject.h"
 #include "stability/surfaces.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 VulkanOptions by(const std::string& traversal) {
@@ -20,20 +20,20 @@ VulkanOptions by(const std::string& traversal) {
   return vulkan;
 }
 
-LAVER_STABILITY(06, PowersOfTwo, "The scene scaled by 2^k: the same bits") {
+LAVER_STABILITY(PowersOfTwo, "The scene scaled by 2^k: the same bits") {
   for (const char* name : {"bunny-whitted.xml", "cornell-two-lights.xml", "bunny-depth.xml"})
     for (const std::string traversal : {"lane", "packet32", "packet64"}) {
-      const Scene scene = test::smallScene(name, 96, 2);
+      const Scene scene = smallScene(name, 96, 2);
       const VulkanOptions vulkan = by(traversal);
-      const Image original = test::render(scene, vulkan);
+      const Image original = render(scene, vulkan);
       std::uint64_t floats = 0, naive = 0, differ = 0;
       for (int k = -20; k <= 20; k += full ? 1 : 8) {
         if (k == 0) continue;
         const double factor = std::ldexp(1.0, k);
-        Image image = test::render(scaled(scene, factor), vulkan);
+        Image image = render(scaled(scene, factor), vulkan);
         undoScale(scene, factor, image);
         floats += image.pixels.size();
-        differ += test::differingFloats(original, image);
+        differ += differingFloats(original, image);
         // Nori's constants, mint 1e-4 and |det| < 1e-8, do not scale: at 2^-20 its triangles of
         // 0.01 have determinants of 1e-16.
         naive += naiveLost(scene, factor);
@@ -43,15 +43,15 @@ LAVER_STABILITY(06, PowersOfTwo, "The scene scaled by 2^k: the same bits") {
     }
 }
 
-LAVER_STABILITY(10, Sizes, "Scenes of size 1e-15 to 1e15") {
+LAVER_STABILITY(Sizes, "Scenes of size 1e-15 to 1e15") {
   for (const char* name : {"bunny-whitted.xml", "cornell-two-lights.xml"})
     for (const std::string traversal : {"lane", "packet32", "packet64"}) {
-      const Scene scene = test::smallScene(name, 96, 1);
+      const Scene scene = smallScene(name, 96, 1);
       const VulkanOptions vulkan = by(traversal);
-      const Image original = test::render(scene, vulkan);
+      const Image original = render(scene, vulkan);
       std::uint64_t pixels = 0, naive = 0, wrong = 0;
       for (const double size : {1e-15, 1e-9, 1e-3, 1e3, 1e9, 1e15}) {
-        Image image = test::render(scaled(scene, size), vulkan);
+        Image image = render(scaled(scene, size), vulkan);
         undoScale(scene, size, image);
         pixels += image.pixels.size() / 3;
         naive += naiveLost(scene, size);
@@ -69,4 +69,4 @@ LAVER_STABILITY(10, Sizes, "Scenes of size 1e-15 to 1e15") {
 }
 
 }  // namespace
-}  // namespace laver::stability
+}  // namespace laver::test

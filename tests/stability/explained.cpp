@@ -11,7 +11,7 @@
 #include "stability/record.h"
 #include "stability/subject.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 /// Flat facets, and one corner of the triangle that most samples meet moved along its normal by 16
@@ -44,12 +44,11 @@ Mutation mutationOf(const Scene& scene) {
   return m;
 }
 
-LAVER_STABILITY(00, Explained, "Every scene of triangles against the double reference") {
-  for (const auto& entry : std::filesystem::directory_iterator(test::scenesFolder())) {
+LAVER_STABILITY(Explained, "Every scene of triangles against the double reference") {
+  for (const auto& entry : std::filesystem::directory_iterator(scenesFolder())) {
     if (entry.path().extension() != ".xml") continue;
     const std::string name = entry.path().filename();
-    const Scene scene =
-        full ? loadScene(entry.path().string()).scene : test::smallScene(name, 192, 1);
+    const Scene scene = full ? loadScene(entry.path().string()).scene : smallScene(name, 192, 1);
     VulkanOptions vulkan;
     vulkan.device = testDevice();
     if (hasSpheres(scene)) {
@@ -71,4 +70,4 @@ LAVER_STABILITY(00, Explained, "Every scene of triangles against the double refe
 }
 
 }  // namespace
-}  // namespace laver::stability
+}  // namespace laver::test

@@ -8,7 +8,7 @@
 #include "stability/subject.h"
 #include "stability/surfaces.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 /// A square that faces the camera; the film sees it whole where `flat`, else its slanted edge.
@@ -53,7 +53,7 @@ double unnormalised(const Reference& reference) {
   return most;
 }
 
-LAVER_STABILITY(14, Filters, "Filters: flat field, step, negative lobes") {
+LAVER_STABILITY(Filters, "Filters: flat field, step, negative lobes") {
   const std::vector<std::pair<const char*, Filter>> filters = {
       {"gaussian", {&filters::gaussian, 2.0, 0.5, 0.0, 0.0}},
       {"Mitchell", {&filters::mitchell, 2.0, 0.5, 1.0 / 3, 1.0 / 3}},
@@ -66,7 +66,7 @@ LAVER_STABILITY(14, Filters, "Filters: flat field, step, negative lobes") {
       const Scene flat = square(filter, true);
       Image ones = rgbImage(64, 64);
       for (std::size_t i = 2; i < ones.pixels.size(); i += 3) ones.pixels[i] = 1.0F;
-      const Image field = test::render(flat, vulkan);
+      const Image field = render(flat, vulkan);
       record.add({std::string(name) + ", flat field", traversal, kSamples,
                   unnormalised(Reference(flat)), furthest(field, ones), 1e-6, "of the field"});
 
@@ -82,4 +82,4 @@ LAVER_STABILITY(14, Filters, "Filters: flat field, step, negative lobes") {
 }
 
 }  // namespace
-}  // namespace laver::stability
+}  // namespace laver::test

@@ -12,13 +12,14 @@
 #include "stability/record.h"
 #include "stability/statistics.h"
 #include "stability/subject.h"
+#include "support/bumpy_sphere.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 using glm::dvec3;
 
-/// Rays at points well inside triangles of a ball of half-width near 1, in scene space.
+/// Rays at points well inside triangles of a sphere of half-width near 1, in scene space.
 struct Rays {
   std::vector<dvec3> origins, targets;
 };
@@ -39,9 +40,9 @@ Rays raysAt(const Mesh& mesh, std::uint64_t count) {
   return rays;
 }
 
-LAVER_STABILITY(07, Symmetry, "Mirrored, axes permuted, translated") {
-  const Mesh ball = test::ball(60, 80, 0.02, dvec3(0.0));
-  const Rays rays = raysAt(ball, amount(full, 1ULL << 16, 1ULL << 19));
+LAVER_STABILITY(Symmetry, "Mirrored, axes permuted, translated") {
+  const Mesh sphere = bumpySphere(60, 80, 0.02, dvec3(0.0));
+  const Rays rays = raysAt(sphere, amount(full, 1ULL << 16, 1ULL << 19));
   struct Change {
     const char* name;
     std::function<dvec3(dvec3)> apply;
@@ -53,10 +54,10 @@ LAVER_STABILITY(07, Symmetry, "Mirrored, axes permuted, translated") {
       {"axes yzx", [](dvec3 p) { return dvec3(p.y, p.z, p.x); }},
       {"axes yxz", [](dvec3 p) { return dvec3(p.y, p.x, p.z); }},
       {"moved by 1,000", [](dvec3 p) { return p + dvec3(1000.0, -700.0, 300.0); }}};
-  std::map<std::string, std::vector<test::TestHit>> first;
+  std::map<std::string, std::vector<TestHit>> first;
   for (const Change& change : changes) {
     Scene scene;
-    scene.meshes = {ball};
+    scene.meshes = {sphere};
     for (dvec3& p : scene.meshes[0].positions) p = change.apply(p);
     const Packed data = pack(scene, {}, uploadsOf(scene, {}));
     std::vector<test::TestRay> moved;
@@ -87,4 +88,4 @@ LAVER_STABILITY(07, Symmetry, "Mirrored, axes permuted, translated") {
 }
 
 }  // namespace
-}  // namespace laver::stability
+}  // namespace laver::test

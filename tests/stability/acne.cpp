@@ -12,7 +12,7 @@
 #include "stability/subject.h"
 #include "stability/surfaces.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 using glm::dvec3;
@@ -66,7 +66,7 @@ std::uint64_t naiveShadows(const Plane& plane, const std::vector<glm::dvec2>& wh
                            Bitmap* picture) {
   const auto triangles = listedTriangles(plane.scene.meshes[0]);
   const auto nearest = [&](glm::vec3 o, glm::vec3 d, float mint, float maxt) {
-    test::TestHit best{maxt, 0, 0, shared::NO_HIT}, hit{};
+    TestHit best{maxt, 0, 0, shared::NO_HIT}, hit{};
     for (const auto& t : triangles)
       if (naive::moellerTrumbore(o, d, t, mint, best.t, hit)) best = hit;
     return best;
@@ -92,7 +92,7 @@ std::uint64_t naiveShadows(const Plane& plane, const std::vector<glm::dvec2>& wh
 std::vector<std::uint32_t> sightOf(const Plane& plane, const Packed& data, Subject& subject,
                                    const std::vector<glm::dvec2>& where, double elevation) {
   const glm::vec3 eye(data.space.apply(plane.at(0.1, -0.2, plane.setting.camera)));
-  std::vector<test::TestRay> rays;
+  std::vector<TestRay> rays;
   rays.reserve(where.size());
   for (const auto& w : where)
     rays.push_back(rayOf(eye, glm::vec3(data.space.apply(plane.at(w.x, w.y, 0.0)) - dvec3(eye))));
@@ -106,7 +106,7 @@ std::vector<std::uint32_t> sightOf(const Plane& plane, const Packed& data, Subje
   return subject.visible(light, points);
 }
 
-LAVER_STABILITY(04, Acne, "A flat plane lit at grazing angles") {
+LAVER_STABILITY(Acne, "A flat plane lit at grazing angles") {
   std::vector<Setting> settings;
   for (const double scale : {1e-3, 1.0, 1e3, 1e6})
     for (const double light : {1.0, 1e2, 1e4}) settings.push_back({scale, 0.0, 3.0, light});
@@ -171,4 +171,4 @@ LAVER_STABILITY(04, Acne, "A flat plane lit at grazing angles") {
 }
 
 }  // namespace
-}  // namespace laver::stability
+}  // namespace laver::test

@@ -5,7 +5,7 @@
 #include "render/plan.h"
 #include "stability/record.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 VkPhysicalDeviceLimits small() {
@@ -17,7 +17,7 @@ VkPhysicalDeviceLimits small() {
   return limits;
 }
 
-LAVER_STABILITY(16, Limits, "Buffer limits") {
+LAVER_STABILITY(Limits, "Buffer limits") {
   std::uint64_t plans = 0, naive = 0, beyond = 0, refused = 0, unnamed = 0;
   for (const std::uint32_t range : {1U << 12, 1U << 16, 1U << 20, 1U << 27})
     for (const std::uint32_t texels : {1U << 10, 1U << 16, 1U << 27})
@@ -56,4 +56,4 @@ LAVER_STABILITY(16, Limits, "Buffer limits") {
 }
 
 }  // namespace
-}  // namespace laver::stability
+}  // namespace laver::test

@@ -1,46 +1,20 @@
 #pragma once
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <atomic>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
-#include <vector>
 
 #include "core/error.h"
 #include "scene/scene.h"
+#include "support/temporary_folder.h"
 
-namespace laver::scene_test {
+namespace laver::test {
 
-/// A folder of its own for a test's files, gone with the object.
-class Files {
+/// A folder for a scene and the files that it names.
+class SceneFiles : public TemporaryFolder {
  public:
-  Files() {
-    static std::atomic<int> count{0};
-    folder_ = std::filesystem::temp_directory_path() /
-              ("laver-scene-" + std::to_string(getpid()) + "-" + std::to_string(count++));
-    std::filesystem::create_directories(folder_);
-  }
-  ~Files() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-  Files(const Files&) = delete;
-  Files& operator=(const Files&) = delete;
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-  std::string write(const std::string& name, const std::string& text) const {
-    std::filesystem::create_directories((folder_ / name).parent_path());
-    std::ofstream(path(name), std::ios::binary) << text;
-    return path(name);
-  }
-
   /// Text with the folder's name taken out, so that tests can state whole messages.
   std::string plain(std::string text) const {
-    const std::string prefix = folder_.string() + "/";
+    const std::string prefix = path().string() + "/";
     for (std::size_t at; (at = text.find(prefix)) != std::string::npos;)
       text.erase(at, prefix.size());
     return text;
@@ -69,9 +43,6 @@ class Files {
     }
     return lines;
   }
-
- private:
-  std::filesystem::path folder_;
 };
 
 inline const char* const kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -92,4 +63,4 @@ inline SceneOverrides with(const IntegratorRow& integrator) {
   return overrides;
 }
 
-}  // namespace laver::scene_test
+}  // namespace laver::test

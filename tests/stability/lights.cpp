@@ -11,7 +11,7 @@
 #include "stability/subject.h"
 #include "stability/surfaces.h"
 
-namespace laver::stability {
+namespace laver::test {
 namespace {
 
 /// A floor of half-width 1 under a light at `height`, seen from 2 above in a film that spans some
@@ -50,7 +50,7 @@ std::uint64_t naiveNotFinite(const Scene& scene, const Reference& reference) {
   return count;
 }
 
-LAVER_STABILITY(11, Lights, "A light at height 1 to 0, on and behind the surface") {
+LAVER_STABILITY(Lights, "A light at height 1 to 0, on and behind the surface") {
   // p errs by 16 * 2^-24 (|o| + 1), as pictures/explain.h derives, with |o| = 2.
   const double deltaP = 16 * 0x1p-24 * 3.0;
   std::uint64_t pixels = 0, naive = 0, notFinite = 0, lit = 0, beyond = 0;
@@ -99,4 +99,4 @@ LAVER_STABILITY(11, Lights, "A light at height 1 to 0, on and behind the surface
 }
 
 }  // namespace
-}  // namespace laver::stability
+}  // namespace laver::test

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace laver::picture_test {
+namespace laver::test {
 
 /// A PNG file of rows of samples, `depth` bits each, most significant byte first. The palette of a
 /// PNG_COLOR_TYPE_PALETTE has the colours (10 i, 20 i, 30 i).
@@ -74,4 +74,4 @@ inline std::string jpeg(int width, int height, int channels, J_COLOR_SPACE space
   return bytes;
 }
 
-}  // namespace laver::picture_test
+}  // namespace laver::test
