@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 #include <utility>
-#include <vector>
 
+#include "bvh/walk.h"
 #include "shared/box.h"
 
 namespace laver {
@@ -107,13 +107,9 @@ class Collector {
 
   Footprint run() {
     if (!projector_.usable()) return Footprint::whole(seen_.width(), seen_.height());
-    std::vector<std::uint32_t> waiting{bvh_.root};
-    while (!waiting.empty()) {
-      const shared::Node& node = bvh_.nodes[waiting.back()];
-      waiting.pop_back();
-      for (const shared::Child& child : node.child)
-        if (child.ref != shared::REF_NONE && look(child)) waiting.push_back(child.ref);
-    }
+    walk(
+        bvh_, 0, [this](const shared::Child& child) { return look(child); },
+        [](const shared::Triangle&) { return false; });
     return std::move(seen_);
   }
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <bit>
 
+#include "bvh/walk.h"
 #include "pictures/harness.h"
 #include "stability/meshes.h"
 #include "stability/naive.h"
@@ -14,7 +15,6 @@
 #include "stability/record.h"
 #include "stability/subject.h"
 #include "stability/surfaces.h"
-#include "stability/twin/walk.h"
 
 namespace laver::stability {
 namespace {
@@ -48,9 +48,12 @@ std::uint32_t naiveWinner(const Bvh& bvh, const test::TestRay& ray) {
   const auto box = shared::boxRayOf(ray.origin, ray.direction, shared::shearOf(ray.direction).axis);
   float nearest = INFINITY;
   walk(
-      bvh, ray.direction, 3.4e38F,
-      [&](glm::vec3 lo, glm::vec3 hi) { return shared::boxSpan(box, 0.0F, lo, hi); },
-      [&](const shared::Triangle& t, float&) {
+      bvh, octantOf(ray.direction),
+      [&](const shared::Child& child) {
+        const auto span = shared::boxSpan(box, 0.0F, child.lo, child.hi);
+        return span.near <= span.far;
+      },
+      [&](const shared::Triangle& t) {
         test::TestHit hit{};
         if (naive::moellerTrumbore(ray.origin, ray.direction, t, 0.0F, INFINITY, hit) &&
             hit.t < nearest) {
