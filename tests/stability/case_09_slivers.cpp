@@ -55,7 +55,7 @@ Errors errorsOf(const Twin& twin, double aspect, double distance, double least, 
       // The text is asked only where the kernel accepts the hit.
       if (!twin.inside(s.ray.origin, s.ray.direction, s.triangle)) continue;
       const shared::Point p = twin.point(s.ray.origin, s.ray.direction, s.triangle);
-      own.t.push_back(exact::ulps(p.t, truth.t));
+      own.t.push_back(ulps(p.t, truth.t));
       own.normal.push_back(angle(p.geometric, exact::normal(s.triangle)));
       // Vertex normals a few degrees apart, as on a smooth mesh.
       const auto vertexNormal = [&](double x, double y) {
@@ -73,11 +73,11 @@ Errors errorsOf(const Twin& twin, double aspect, double distance, double least, 
       const glm::dvec3 position = glm::dvec3(s.ray.origin) + truth.t * glm::dvec3(s.ray.direction);
       const glm::vec3 light(position + 3.0 * exact::normal(s.triangle) +
                             glm::dvec3(na - nb) * 10.0);
-      own.radiance.push_back(exact::ulps(lambert(light, p.position, shading),
-                                         lambert(glm::dvec3(light), position, trueShading)));
+      own.radiance.push_back(ulps(lambert(light, p.position, shading),
+                                  lambert(glm::dvec3(light), position, trueShading)));
       test::TestHit hit{};
       if (naive::moellerTrumbore(s.ray.origin, s.ray.direction, s.triangle, 0.0F, 1e37F, hit))
-        own.naiveT.push_back(exact::ulps(hit.t, truth.t));
+        own.naiveT.push_back(ulps(hit.t, truth.t));
     }
     const std::lock_guard lock(mutex);
     const auto append = [](auto& to, const auto& from) {
@@ -148,7 +148,7 @@ std::vector<double> errorsOf(Subject& subject, const SliverField& field) {
   const auto hits = subject.closest(field.rays);
   std::vector<double> errors;
   for (std::size_t i = 0; i < field.truths.size(); ++i)
-    if (hits[64 * i].id == i) errors.push_back(exact::ulps(hits[64 * i].t, field.truths[i]));
+    if (hits[64 * i].id == i) errors.push_back(ulps(hits[64 * i].t, field.truths[i]));
   return errors;
 }
 

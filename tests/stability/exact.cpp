@@ -82,10 +82,4 @@ glm::dvec3 normal(const shared::Triangle& triangle) {
       glm::dvec3(static_cast<double>(n[0]), static_cast<double>(n[1]), static_cast<double>(n[2])));
 }
 
-double ulps(float value, double truth) {
-  const float rounded = std::abs(static_cast<float>(truth));
-  const auto ulp = static_cast<double>(std::nextafter(rounded, INFINITY) - rounded);
-  return std::abs(static_cast<double>(value) - truth) / ulp;
-}
-
 }  // namespace laver::stability::exact

@@ -32,7 +32,4 @@ glm::dvec3 weights(glm::vec3 origin, glm::vec3 direction, const shared::Triangle
 /// Unit normal of (b - a) x (c - a).
 glm::dvec3 normal(const shared::Triangle& triangle);
 
-/// Distance of a float from the truth in units of the last place that a float of that size has.
-double ulps(float value, double truth);
-
 }  // namespace laver::stability::exact

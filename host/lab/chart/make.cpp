@@ -6,12 +6,12 @@
 #include <map>
 
 #include "core/error.h"
+#include "core/numeric.h"
 #include "image/io.h"
 #include "lab/chart/chart.h"
 #include "lab/chart/films.h"
 #include "lab/chart/machine.h"
 #include "lab/chart/measure.h"
-#include "lab/chart/numbers.h"
 #include "lab/chart/pictures.h"
 
 namespace laver::chart {

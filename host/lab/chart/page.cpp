@@ -5,7 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "lab/chart/numbers.h"
+#include "core/numeric.h"
 #include "lab/chart/panel.h"
 
 namespace laver::chart {

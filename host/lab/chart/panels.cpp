@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "lab/chart/numbers.h"
+#include "core/numeric.h"
 #include "lab/chart/panel.h"
 
 namespace laver::chart {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "core/numeric.h"
 #include "image/atomic_file.h"
 #include "image/io.h"
 #include "lab/chart/chart.h"

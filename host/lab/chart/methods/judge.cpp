@@ -4,8 +4,8 @@
 #include <atomic>
 #include <cmath>
 
+#include "core/numeric.h"
 #include "core/parallel.h"
-#include "lab/chart/numbers.h"
 
 namespace laver::chart {
 namespace {
@@ -30,14 +30,6 @@ dvec3 normalOf(const shared::Triangle& t) {
   const LongVec a(t.a), n = glm::cross(LongVec(t.b) - a, LongVec(t.c) - a);
   return dvec3(n / std::sqrt(glm::dot(n, n)));
 }
-
-double ulps(float value, double truth) {
-  const float rounded = std::abs(static_cast<float>(truth));
-  return std::abs(static_cast<double>(value) - truth) /
-         static_cast<double>(std::nextafter(rounded, INFINITY) - rounded);
-}
-
-double errorOfT(double truth, float t) { return ulps(t, truth); }
 
 double errorOfNormal(const dvec3& truth, const glm::vec3& normal) {
   const dvec3 n(normal);
@@ -97,7 +89,7 @@ double MethodJudge::percentile(std::span<const MethodHit> hits,
 }
 
 double MethodJudge::t99(std::span<const MethodHit> hits) const {
-  return percentile(hits, [](const MethodHit& h, const Truth& t) { return errorOfT(t.t, h.t); });
+  return percentile(hits, [](const MethodHit& h, const Truth& t) { return ulps(h.t, t.t); });
 }
 
 double MethodJudge::normal99(std::span<const MethodHit> hits) const {

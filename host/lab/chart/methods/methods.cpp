@@ -1,8 +1,8 @@
 #include "lab/chart/methods/methods.h"
 
 #include "core/error.h"
+#include "core/numeric.h"
 #include "lab/chart/methods/judge.h"
-#include "lab/chart/numbers.h"
 #include "render/scene_data.h"
 
 namespace laver::chart {
