@@ -39,7 +39,7 @@ double errorOfNormal(const dvec3& truth, const glm::vec3& normal) {
 }  // namespace
 
 MethodJudge::MethodJudge(const Bvh& bvh)
-    : excuses_(bvh), byId_(sortedById(bvh)), tree_(doubleTree(bvh)) {}
+    : rounded_(bvh), byId_(sortedById(bvh)), tree_(doubleTree(bvh)) {}
 
 MethodJudge::Truth MethodJudge::truthOf(const MethodRay& ray) const {
   const auto hit = tree_.closest({ray.origin, ray.direction}, static_cast<double>(ray.tmin),
@@ -97,11 +97,11 @@ double MethodJudge::normal99(std::span<const MethodHit> hits) const {
       hits, [](const MethodHit& h, const Truth& t) { return errorOfNormal(t.normal, h.normal); });
 }
 
-std::uint64_t MethodJudge::unexcused(std::span<const MethodHit> hits) const {
+std::uint64_t MethodJudge::unexplained(std::span<const MethodHit> hits) const {
   std::atomic<std::uint64_t> count = 0;
   parallelFor(hits.size(), 64, 0, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      if (hits[i].id != truths_[i].id && !excuses_.allow(rays_[i], hits[i].id)) ++count;
+      if (hits[i].id != truths_[i].id && !rounded_.explain(rays_[i], hits[i].id)) ++count;
   });
   return count;
 }

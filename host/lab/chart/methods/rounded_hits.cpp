@@ -1,4 +1,4 @@
-#include "lab/chart/methods/excuses.h"
+#include "lab/chart/methods/rounded_hits.h"
 
 #include <algorithm>
 #include <array>
@@ -150,7 +150,7 @@ std::vector<dvec2> pointsIn(const std::vector<dvec2>& polygon) {
 
 }  // namespace
 
-bool Excuses::allow(const MethodRay& ray, std::uint32_t id) const {
+bool RoundedHits::explain(const MethodRay& ray, std::uint32_t id) const {
   const std::vector<Seen> list = nearRay(bvh_, ray);
   double reach = 0;
   for (const Seen& seen : list) reach = std::max(reach, seen.bound);
