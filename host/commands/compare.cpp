@@ -37,14 +37,14 @@ void writeDifference(const CompareCommand& command, const Image& a, const Image&
            drawDistances(largestDistances(a, b), a.width, a.height));
 }
 
-/// Beyond the bounds without an excuse is as bad as beyond a tolerance.
+/// A difference that nothing explains is as bad as one beyond a tolerance.
 ExitCode explainScene(const CompareCommand& command) {
   const LoadedScene loaded = loadScene(command.explain);
   for (const auto& warning : loaded.warnings) std::cerr << warning << '\n';
   const Explanation explanation = explain(loaded.scene, loaded.scene, command.vulkan);
   std::cout << describe(explanation);
   flushStandardOutput();
-  return explanation.unexcused() == 0 ? ExitCode::Ok : ExitCode::Different;
+  return explanation.unexplained() == 0 ? ExitCode::Ok : ExitCode::Different;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "core/numeric.h"
 #include "image/difference.h"
 
 namespace laver {
@@ -17,14 +18,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 double relativeSquare(double difference, double reference) {
   if (difference == 0.0 || difference == kInfinity) return difference;
   return difference * difference / (reference * reference + 1e-2);
-}
-
-/// The smallest of the values that 99.9 % of them do not exceed (nearest rank). Reorders them.
-double percentile999(std::vector<double>& values) {
-  const std::size_t rank = values.size() - values.size() / 1000;  // ceil(0.999 size)
-  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(rank - 1);
-  std::nth_element(values.begin(), nth, values.end());
-  return *nth;
 }
 
 }  // namespace
@@ -54,7 +47,7 @@ std::vector<ChannelDifference> compare(const Image& a, const Image& b, double to
     sum.rmse = std::sqrt(sum.rmse / n);
     sum.relativeMse /= n;
     sum.share /= n;
-    sum.percentile999 = percentile999(differences);
+    sum.percentile999 = percentile(differences, 0.999);
     result.push_back(sum);
   }
   return result;

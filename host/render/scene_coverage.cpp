@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 #include <utility>
-#include <vector>
 
+#include "bvh/walk.h"
 #include "shared/box.h"
 
 namespace laver {

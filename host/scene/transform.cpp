@@ -5,14 +5,12 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 
+#include "core/numeric.h"
+
 namespace laver {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-
-double largest(const glm::dvec3& v) {
-  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
 
 // Divides rows, then columns, by their largest entries. False if one is all zero.
 template <int N>
@@ -59,7 +57,7 @@ bool singular(double (&m)[N][N]) {
 }  // namespace
 
 glm::dvec3 normalizedOrZero(const glm::dvec3& v) {
-  const double size = largest(v);
+  const double size = maxNorm(v);
   const bool finite = std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
   if (!finite || size == 0.0) return glm::dvec3(0.0);
   // A power of two: unit vectors and simple ratios come out as exactly as without it.
@@ -79,8 +77,8 @@ std::optional<glm::dmat4> lookAt(const glm::dvec3& origin, const glm::dvec3& tar
   // Each coordinate of origin and target is off by eps/2 of its size, their difference too, so dir
   // is off by about eps (|origin| + |target|) / |view|; a cross product below four times that,
   // plus its own rounding, has no direction.
-  const double size = largest(origin) + largest(target);
-  const double noise = 4.0 * kEpsilon * (1.0 + size / largest(view));
+  const double size = maxNorm(origin) + maxNorm(target);
+  const double noise = 4.0 * kEpsilon * (1.0 + size / maxNorm(view));
   if (!(glm::length(left) > noise)) return std::nullopt;
   const glm::dvec3 unitLeft = normalizedOrZero(left);
   const glm::dvec3 newUp = glm::cross(dir, unitLeft);
@@ -116,8 +114,8 @@ bool isSingular(const glm::dmat4& matrix) {
 
 glm::dmat3 normalMatrix(const glm::dmat4& matrix) {
   if (!isAffine(matrix)) return glm::transpose(glm::dmat3(glm::inverse(matrix)));
-  const double size = std::max({largest(glm::dvec3(matrix[0])), largest(glm::dvec3(matrix[1])),
-                                largest(glm::dvec3(matrix[2]))});
+  const double size = std::max({maxNorm(glm::dvec3(matrix[0])), maxNorm(glm::dvec3(matrix[1])),
+                                maxNorm(glm::dvec3(matrix[2]))});
   int exponent = 0;
   std::frexp(size, &exponent);
   glm::dvec3 column[3];

@@ -41,8 +41,8 @@ TEST_F(EmbreePictures, ShowTheReferencesSamplesOfEverySampler) {
         const chart::Mismatches found = chart::mismatchesOf(picture, truth, scene, reference, 0);
         // kMismatch has its reason in chart/errors.h; beyond it pixels have samples at edges. One
         // sample, which reaches 25 pixels, may differ: up to 6 pixels were seen on the bunny. The
-        // excuses are for laver's rays; what Embree's do otherwise there was not found.
-        EXPECT_LE(found.unexcused, 25U);
+        // bounds are for laver's rays; what Embree's do otherwise there was not found.
+        EXPECT_LE(found.unexplained, 25U);
         EXPECT_LT(found.pixels, 64U * 64U / 20U);
       }
 }

@@ -4,11 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "lab/chart/numbers.h"
+#include "core/numeric.h"
 
 namespace laver::bench {
 
-using chart::quantile;
 inline double median(const std::vector<double>& values) { return quantile(values, 0.5); }
 
 /// Measurements, printed as they come and kept for a JSON file; at the end the figures wanted.

@@ -110,7 +110,7 @@ TEST(Adaptive, EqualsTheReferenceWhereRegionsOfDifferentCountsMeet) {
   const Reference reference(scene);
   const double moved = movedBy(scene, reference);
   const Image& counts = ours.stats.samples;
-  int borders = 0, unweighted = 0, excused = 0;
+  int borders = 0, unweighted = 0, explained = 0;
   for (int y = 3; y < 64; y += 4)
     for (int x = 3; x < 63; x += 4) {
       if (counts.at(x, y, 0) == counts.at(x + 1, y, 0)) continue;
@@ -127,12 +127,12 @@ TEST(Adaptive, EqualsTheReferenceWhereRegionsOfDifferentCountsMeet) {
       // 1e-4 as for every scene; beyond it a sample must lie at an edge, as explain.h has it.
       if (distance(true, decided) > 1e-4) {
         EXPECT_FALSE(decided) << x << ' ' << y;
-        ++excused;
+        ++explained;
       }
       if (distance(false, any) > 1e-3) ++unweighted;
     }
   EXPECT_GT(borders, 30);
-  EXPECT_LE(excused, borders / 20);
+  EXPECT_LE(explained, borders / 20);
   EXPECT_GT(unweighted, 5);  // the test can fail
 }
 

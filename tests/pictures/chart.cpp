@@ -57,7 +57,7 @@ TEST_F(ChartCommandLine, MakesFourFilesOnceAndThenTakesWhatIsKept) {
     EXPECT_GT(point["processSeconds"]["median"], point["seconds"]["median"]);
     EXPECT_EQ(point.contains("mismatches"), !point["adaptive"]) << point["command"];
     if (point.contains("mismatches")) {
-      EXPECT_EQ(point["mismatches"]["unexcused"], 0);
+      EXPECT_EQ(point["mismatches"]["unexplained"], 0);
     }
   }
   EXPECT_EQ(filters.size(), 4U);

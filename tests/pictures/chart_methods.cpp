@@ -71,14 +71,14 @@ TEST(ChartMethods, TheUsualTestLosesRaysAtEdgesAndOursNone) {
     EXPECT_GT(m.nanoseconds, 0.0);
     EXPECT_GT(m.rays, 500U);
     if (m.triangles == "Moeller-Trumbore") {
-      EXPECT_GT(m.unexcused, m.rays / 100);
+      EXPECT_GT(m.unexplained, m.rays / 100);
     }
-    EXPECT_LT(m.unexcused, m.rays / 5);
+    EXPECT_LT(m.unexplained, m.rays / 5);
     if (m.triangles != "Moeller-Trumbore") {
-      EXPECT_LT(m.unexcused, m.rays / 100);
+      EXPECT_LT(m.unexplained, m.rays / 100);
     }
     if (m.triangles != "Moeller-Trumbore" && m.boxes == "ours") {
-      EXPECT_EQ(m.unexcused, 0U);
+      EXPECT_EQ(m.unexplained, 0U);
     }
     if (m.triangles == "ours" && m.boxes == "ours") {
       EXPECT_LT(m.t99, 4.0);  // as tests/stability has it
@@ -86,7 +86,7 @@ TEST(ChartMethods, TheUsualTestLosesRaysAtEdgesAndOursNone) {
     }
     const MethodPoint copy = methodFromJson(toJson(m));
     EXPECT_EQ(copy.boxes, m.boxes);
-    EXPECT_EQ(copy.unexcused, m.unexcused);
+    EXPECT_EQ(copy.unexplained, m.unexplained);
     EXPECT_EQ(copy.quartiles[1], m.quartiles[1]);
   }
   EXPECT_TRUE(chartMethods(ballScene(), "cpu", 1, [] { return true; }).empty());
@@ -128,15 +128,15 @@ TEST(ChartMethods, OneWrongComparisonShowsAtEdges) {
   const auto aimed = judge.aimed(rays);
   ASSERT_EQ(aimed.size(), rays.size());
   judge.expect(aimed);
-  const auto unexcused = [&](bool (*inside)(float, float)) {
-    return judge.unexcused(hitsBy(data.bvh, aimed, inside));
+  const auto unexplained = [&](bool (*inside)(float, float)) {
+    return judge.unexplained(hitsBy(data.bvh, aimed, inside));
   };
-  EXPECT_EQ(unexcused([](float least, float most) { return least >= 0 || most <= 0; }), 0U);
+  EXPECT_EQ(unexplained([](float least, float most) { return least >= 0 || most <= 0; }), 0U);
   // Edges left out; < for >=; one of the two windings forgotten.
-  EXPECT_GT(unexcused([](float least, float most) { return least > 0 || most < 0; }), 30U);
-  EXPECT_GT(unexcused([](float least, float most) { return least < 0 || most <= 0; }), 270U);
-  EXPECT_GT(unexcused([](float least, float) { return least >= 0; }), 30U);
-  EXPECT_GT(unexcused([](float, float most) { return most <= 0; }), 30U);
+  EXPECT_GT(unexplained([](float least, float most) { return least > 0 || most < 0; }), 30U);
+  EXPECT_GT(unexplained([](float least, float most) { return least < 0 || most <= 0; }), 270U);
+  EXPECT_GT(unexplained([](float least, float) { return least >= 0; }), 30U);
+  EXPECT_GT(unexplained([](float, float most) { return most <= 0; }), 30U);
 }
 
 TEST(ChartMethods, AWrongAnswerIsNotExcused) {
@@ -147,11 +147,11 @@ TEST(ChartMethods, AWrongAnswerIsNotExcused) {
                                      1e30F}};
   judge.expect(rays);
   MethodHit hit{glm::vec3(0.0F), 1.0F, shared::NO_HIT};
-  EXPECT_EQ(judge.unexcused(std::span(&hit, 1)), 1U);
+  EXPECT_EQ(judge.unexplained(std::span(&hit, 1)), 1U);
   std::size_t right = 0;
   for (std::uint32_t id = 0; id < data.bvh.triangles.size(); ++id) {
     hit.id = id;
-    right += judge.unexcused(std::span(&hit, 1)) == 0 ? 1 : 0;
+    right += judge.unexplained(std::span(&hit, 1)) == 0 ? 1 : 0;
   }
   EXPECT_EQ(right, 1U);
   // At an edge, either neighbour will do, and no miss.
@@ -161,12 +161,12 @@ TEST(ChartMethods, AWrongAnswerIsNotExcused) {
   right = 0;
   for (std::uint32_t id = 0; id < data.bvh.triangles.size(); ++id) {
     hit.id = id;
-    right += judge.unexcused(std::span(&hit, 1)) == 0 ? 1 : 0;
+    right += judge.unexplained(std::span(&hit, 1)) == 0 ? 1 : 0;
   }
   EXPECT_GE(right, 3U);
   EXPECT_LE(right, 60U);  // the poles' triangles
   hit.id = shared::NO_HIT;
-  EXPECT_EQ(judge.unexcused(std::span(&hit, 1)), 1U);
+  EXPECT_EQ(judge.unexplained(std::span(&hit, 1)), 1U);
 }
 
 }  // namespace

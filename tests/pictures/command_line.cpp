@@ -146,7 +146,7 @@ TEST_F(CommandLine, CompareExplainsAScene) {
   const Outcome run = laver("compare --explain test.xml --device cpu");
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_NE(run.out.find("other triangle: 0"), std::string::npos) << run.out;
-  EXPECT_NE(run.out.find("unexcused: 0\n"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("unexplained: 0\n"), std::string::npos) << run.out;
   const Outcome none = laver("compare --explain none.xml");
   EXPECT_EQ(none.code, 3);
   EXPECT_EQ(lines(none.err), 1) << none.err;

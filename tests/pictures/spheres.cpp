@@ -167,7 +167,7 @@ TEST(Spheres, AChartTellsMismatchesOnThem) {
   image.at(6, 7, 0) *= 1.1F;
   const chart::Mismatches m = chart::mismatchesOf(image, truth, scene, reference, 0);
   EXPECT_EQ(m.pixels, 1U);
-  EXPECT_EQ(m.unexcused, 1U);
+  EXPECT_EQ(m.unexplained, 1U);
 }
 
 TEST(Spheres, AreNotExplainedNorTracedByChartedMethodsAndSaidSo) {

@@ -197,16 +197,16 @@ TEST(Backgrounds, EverySampleOfTexturesAndBackgroundIsExplained) {
   scene.environment = Environment();
   scene.environment->image = noise(64, 32, true);
   const laver::Explanation whole = laver::explain(scene, scene, cpuDevice());
-  EXPECT_EQ(whole.unexcused(), 0U) << describe(whole);
+  EXPECT_EQ(whole.unexplained(), 0U) << describe(whole);
   // It must be able to fail: a tenth of a pixel's shift, and a sky turned by as much.
   Scene shifted = scene;
   shifted.meshes[0].bsdf.texture->offset.x += 0.1 / 64;
-  EXPECT_GT(laver::explain(scene, shifted, cpuDevice()).unexcused(), 100U);
+  EXPECT_GT(laver::explain(scene, shifted, cpuDevice()).unexplained(), 100U);
   shifted = scene;
   const double a = 0.01;
   shifted.environment->toWorld = glm::dmat4(std::cos(a), 0, -std::sin(a), 0, 0, 1, 0, 0,
                                             std::sin(a), 0, std::cos(a), 0, 0, 0, 0, 1);
-  EXPECT_GT(laver::explain(scene, shifted, cpuDevice()).unexcused(), 100U);
+  EXPECT_GT(laver::explain(scene, shifted, cpuDevice()).unexplained(), 100U);
 }
 
 TEST(TextureData, PicturesArePackedOnceAndBytesStayBytes) {

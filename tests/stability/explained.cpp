@@ -59,13 +59,13 @@ LAVER_STABILITY(Explained, "Every scene of triangles against the double referenc
     const Explanation wrong = explain(mutation.moved, mutation.flat, vulkan);
     const Explanation e = explain(scene, scene, vulkan);
     record.add({name + ", naive: a vertex moved", "renderer", e.samples,
-                static_cast<double>(wrong.unexcused()), static_cast<double>(e.unexcused()), 0.0,
-                "unexcused"});
+                static_cast<double>(wrong.unexplained()), static_cast<double>(e.unexplained()), 0.0,
+                "unexplained"});
     // One sample in 10,000; a small film may have one or two all the same.
-    const auto excused = e.idExcused + e.shadowExcused;
-    record.add({name, "renderer", e.samples, std::nullopt, static_cast<double>(excused),
-                std::max(2.0, 1e-4 * static_cast<double>(e.samples)), "excused"});
-    if (e.unexcused() != 0) ADD_FAILURE() << describe(e);
+    const auto explained = e.idExplained + e.shadowExplained;
+    record.add({name, "renderer", e.samples, std::nullopt, static_cast<double>(explained),
+                std::max(2.0, 1e-4 * static_cast<double>(e.samples)), "explained"});
+    if (e.unexplained() != 0) ADD_FAILURE() << describe(e);
   }
 }
 

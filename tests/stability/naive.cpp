@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "stability/twin/walk.h"
+#include "bvh/walk.h"
 
 namespace laver::test::naive {
 
@@ -52,13 +52,12 @@ bool slabs(vec3 origin, vec3 direction, vec3 lo, vec3 hi) {
 
 bool meets(const Bvh& bvh, vec3 origin, vec3 direction, Method method) {
   const auto ray = shared::boxRayOf(origin, direction, shared::shearOf(direction).axis);
-  bool found = false;
-  walk(
-      bvh, direction, 3.4e38F,
-      [&](vec3 lo, vec3 hi) {
-        if (method != Method::Slabs) return shared::boxSpan(ray, 0.0F, lo, hi);
-        return slabs(origin, direction, lo, hi) ? shared::BoxSpan{0, 0, 1}
-                                                : shared::BoxSpan{0, 1, 0};
+  return walk(
+      bvh, octantOf(direction),
+      [&](const shared::Child& child) {
+        if (method == Method::Slabs) return slabs(origin, direction, child.lo, child.hi);
+        const auto span = shared::boxSpan(ray, 0.0F, child.lo, child.hi);
+        return span.near <= span.far;
       },
       [&](const shared::Triangle& t, float&) {
         TestHit hit;
@@ -67,7 +66,6 @@ bool meets(const Bvh& bvh, vec3 origin, vec3 direction, Method method) {
                     : moellerTrumbore(origin, direction, t, 0.0F, INFINITY, hit);
         return found;
       });
-  return found;
 }
 
 }  // namespace laver::test::naive

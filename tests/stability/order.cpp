@@ -7,6 +7,7 @@
 #include <array>
 #include <bit>
 
+#include "bvh/walk.h"
 #include "pictures/harness.h"
 #include "stability/meshes.h"
 #include "stability/naive.h"
@@ -14,7 +15,6 @@
 #include "stability/record.h"
 #include "stability/subject.h"
 #include "stability/surfaces.h"
-#include "stability/twin/walk.h"
 
 namespace laver::test {
 namespace {

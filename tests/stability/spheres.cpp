@@ -135,7 +135,7 @@ Errors judge(const Setting& s, const std::vector<TestRay>& rays, const Twin* twi
     }
     if (!hit || truth.cosine < 0.1) continue;
     const Quad wanted = truth.enter >= 0 ? truth.enter : truth.leave;
-    errors.t.push_back(exact::ulps(t, static_cast<double>(wanted)));
+    errors.t.push_back(ulps(t, static_cast<double>(wanted)));
     if (twin == nullptr) continue;
     const shared::Point p = twin->point(o, d, sphere);
     errors.normal.push_back(glm::length(dvec3(p.geometric) - truth.normal) / 0x1p-24);

@@ -7,14 +7,7 @@
 
 namespace laver::test {
 
-/// The value that a share of the samples does not exceed; 0 of none.
-inline double percentile(std::vector<double> values, double share) {
-  if (values.empty()) return 0.0;
-  const auto at = std::min(values.size() - 1,
-                           static_cast<std::size_t>(share * static_cast<double>(values.size())));
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(at), values.end());
-  return values[at];
-}
+namespace laver::stability {
 
 inline double maximum(const std::vector<double>& values) {
   return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());

@@ -77,7 +77,7 @@ LAVER_STABILITY(Symmetry, "Mirrored, axes permuted, translated") {
       std::uint64_t otherIds = 0;
       for (std::size_t i = 0; i < hits.size(); ++i) {
         otherIds += hits[i].id == original[i].id ? 0 : 1;
-        errors.push_back(exact::ulps(hits[i].t, static_cast<double>(original[i].t)));
+        errors.push_back(ulps(hits[i].t, static_cast<double>(original[i].t)));
       }
       record.add({std::string(change.name) + ", other triangles", subject->name, hits.size(),
                   std::nullopt, static_cast<double>(otherIds), 0.0, "rays"});

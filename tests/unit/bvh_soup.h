@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bvh/binary.h"
-#include "bvh/bvh.h"
+#include "bvh/walk.h"
 
 namespace laver::test {
 
@@ -48,16 +48,13 @@ class Walk {
              std::uint32_t entries) {
     if (ref == shared::REF_NONE) return;
     if (ref >= shared::REF_LEAF) {
-      std::uint32_t slot = ref & shared::REF_INDEX_MASK, count = 0, more = 0;
-      do {
-        const shared::Triangle& t = bvh_.triangles.at(slot);
+      std::uint32_t count = 0;
+      forEachTriangle(bvh_, ref, [&](const shared::Triangle& t) {
         ids.insert(t.id);
         for (const auto& child : above)
           EXPECT_TRUE(holds(child, t.a) && holds(child, t.b) && holds(child, t.c));
-        more = t.more;
-        ++slot;
         ++count;
-      } while (more != 0);
+      });
       EXPECT_EQ(count, (ref >> shared::REF_COUNT_SHIFT & 7U) + 1);
       if (!above.empty()) {
         EXPECT_EQ(count, above.back().count);

@@ -11,15 +11,6 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-TEST(ChartNumbers, QuantilesLieBetweenRanks) {
-  EXPECT_EQ(quantile({}, 0.5), 0.0);
-  EXPECT_EQ(quantile({7.0}, 0.25), 7.0);
-  EXPECT_EQ(quantile({3.0, 1.0, 2.0}, 0.5), 2.0);
-  EXPECT_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 0.5), 2.5);
-  EXPECT_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 0.25), 1.75);
-  EXPECT_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 1.0), 4.0);
-}
-
 TEST(ChartNumbers, TheFrontHoldsWhatNoOtherBeats) {
   const Place places[] = {{3, 1}, {1, 3}, {2, 3}, {2, 2}, {2, 2}, {4, 1}, {kNaN, 0}, {0.5, kNaN}};
   EXPECT_EQ(paretoFront(places), (std::vector<std::size_t>{1, 3, 0}));

@@ -53,7 +53,7 @@ TEST(ChartJson, HoldsEveryPointAndWhatItWasMadeOf) {
   ASSERT_EQ(json["points"].size(), 7U);
   EXPECT_EQ(json["points"][0]["seconds"]["median"], 0.012);
   EXPECT_EQ(json["points"][0]["seconds"]["runs"].size(), 3U);
-  EXPECT_EQ(json["points"][1]["mismatches"]["unexcused"], 2);
+  EXPECT_EQ(json["points"][1]["mismatches"]["unexplained"], 2);
   EXPECT_FALSE(json["points"][2].contains("mismatches"));
   EXPECT_EQ(json["reference"]["samples"], 128);
   EXPECT_EQ(json["reference"]["filters"][1]["band"], 0.002);
@@ -118,13 +118,13 @@ TEST(ChartPanel, HoldsThePointsOfItsFilterAndMetric) {
   EXPECT_EQ(a.levels[0].y, 0.001);
   EXPECT_EQ(a.levels[1].y, 1e-6);
   EXPECT_EQ(timePanel(chart, 0, "rmse", true).curves[0].marks[0].x, 0.31);
-  const Panel unexcused = timePanel(chart, 1, "unexcused", false);
-  ASSERT_EQ(unexcused.curves.size(), 1U);
-  EXPECT_EQ(unexcused.curves[0].marks[0].y, 0.0);
-  EXPECT_EQ(unexcused.curves[0].marks[1].y, 0.02);
-  EXPECT_TRUE(std::isnan(unexcused.curves[0].marks[2].y));
+  const Panel unexplained = timePanel(chart, 1, "unexplained", false);
+  ASSERT_EQ(unexplained.curves.size(), 1U);
+  EXPECT_EQ(unexplained.curves[0].marks[0].y, 0.0);
+  EXPECT_EQ(unexplained.curves[0].marks[1].y, 0.02);
+  EXPECT_TRUE(std::isnan(unexplained.curves[0].marks[2].y));
   // A curve keeps its colour from panel to panel.
-  EXPECT_EQ(unexcused.curves[0].colour, a.curves[0].colour);
+  EXPECT_EQ(unexplained.curves[0].colour, a.curves[0].colour);
 }
 
 TEST(ChartPanel, DrawsNothingWithoutPoints) {

@@ -26,12 +26,12 @@ double distanceAt(const Image& a, const Image& b, int x, int y) {
   return largest;
 }
 
-/// A pixel is excused if one of the samples that its filter reaches would see something else a
+/// A pixel is explained if one of the samples that its filter reaches would see something else a
 /// float's rounding away: the bound of explain/bounds.h for the nearest hit, and as much again for
 /// the shadow ray's end. One sample that flips changes the pixel by no more than itself; half,
 /// because what lies beyond the edge is shaded a little differently there.
-bool excused(const Scene& scene, const Reference& reference, const BoundsOf& bounds, int x, int y,
-             double difference) {
+bool explained(const Scene& scene, const Reference& reference, const BoundsOf& bounds, int x, int y,
+               double difference) {
   const int apron = static_cast<int>(apronOf(scene.filter.radius));
   for (int v = std::max(y - apron, 0); v <= std::min(y + apron, scene.camera.height - 1); ++v)
     for (int u = std::max(x - apron, 0); u <= std::min(x + apron, scene.camera.width - 1); ++u)
@@ -77,7 +77,7 @@ Mismatches mismatchesOf(const Image& image, const Image& truth, const Scene& sce
   result.rmse = errorsOf(image, truth).rmse;
   const BoundsOf bounds(scene);
   const auto width = static_cast<std::size_t>(image.width);
-  std::atomic<std::uint64_t> pixels = 0, unexcused = 0;
+  std::atomic<std::uint64_t> pixels = 0, unexplained = 0;
   parallelFor(width * static_cast<std::size_t>(image.height), 16, threads,
               [&](std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i) {
@@ -85,11 +85,11 @@ Mismatches mismatchesOf(const Image& image, const Image& truth, const Scene& sce
                   const double d = distanceAt(image, truth, x, y);
                   if (d <= kMismatch) continue;
                   ++pixels;
-                  if (!excused(scene, reference, bounds, x, y, d)) ++unexcused;
+                  if (!explained(scene, reference, bounds, x, y, d)) ++unexplained;
                 }
               });
   result.pixels = pixels;
-  result.unexcused = unexcused;
+  result.unexplained = unexplained;
   return result;
 }
 

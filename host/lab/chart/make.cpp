@@ -6,12 +6,12 @@
 #include <map>
 
 #include "core/error.h"
+#include "core/numeric.h"
 #include "image/io.h"
 #include "lab/chart/chart.h"
 #include "lab/chart/films.h"
 #include "lab/chart/machine.h"
 #include "lab/chart/measure.h"
-#include "lab/chart/numbers.h"
 #include "lab/chart/pictures.h"
 
 namespace laver::chart {
@@ -200,13 +200,13 @@ class Maker {
         const Mismatches m =
             mismatchesOf(images_[i], films.picture(f), scene, reference, options_.threads);
         kept_.write(keyOfMember(i),
-                    {{"pixels", m.pixels}, {"unexcused", m.unexcused}, {"rmse", m.rmse}});
+                    {{"pixels", m.pixels}, {"unexplained", m.unexplained}, {"rmse", m.rmse}});
       }
     }
     for (const std::size_t i : members) {
       const auto found = kept_.read(keyOfMember(i));
       chart_.points[i].mismatches =
-          Mismatches{found->at("pixels"), found->at("unexcused"), found->at("rmse")};
+          Mismatches{found->at("pixels"), found->at("unexplained"), found->at("rmse")};
       finish(judgeCost(choices[i]));
     }
   }

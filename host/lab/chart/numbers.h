@@ -5,9 +5,6 @@
 
 namespace laver::chart {
 
-/// Linear interpolation between ranks; q = 0.5 is the median. 0 of no values.
-double quantile(std::vector<double> values, double q);
-
 /// Places in the chart, both axes the better the smaller.
 struct Place {
   double x, y;

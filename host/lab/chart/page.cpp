@@ -5,7 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "lab/chart/numbers.h"
+#include "core/numeric.h"
 #include "lab/chart/panel.h"
 
 namespace laver::chart {
@@ -81,7 +81,7 @@ std::string pointRow(const Chart& chart, std::size_t i) {
       p.command.empty() ? "" : "<br/><code>" + escaped(p.command) + "</code>",
       p.samples > 0 ? fmt::format("{:.4g}", p.samples) : "", milliseconds(p.passSeconds),
       milliseconds(p.processSeconds), buried ? "about " : "", p.errors.rmse, p.errors.relativeMse,
-      p.mismatches ? fmt::format("{} of {}", p.mismatches->unexcused, p.mismatches->pixels) : "",
+      p.mismatches ? fmt::format("{} of {}", p.mismatches->unexplained, p.mismatches->pixels) : "",
       p.thumbnail, p.errorMap);
 }
 
@@ -89,14 +89,14 @@ std::string methodTable(const Chart& chart) {
   std::string html =
       "<table><tr><th>triangles</th><th class=\"text\">boxes</th><th class=\"text\">nodes</th>"
       "<th>ns a ray</th><th>t, ulp</th><th>normal, "
-      "2^-24</th><th>unexcused</th><th>rays</th></tr>\n";
+      "2^-24</th><th>unexplained</th><th>rays</th></tr>\n";
   for (std::size_t i = 0; i < chart.methods.size(); ++i) {
     const MethodPoint& m = chart.methods[i];
     html += fmt::format(
         "<tr id=\"{}\"><td>{}</td><td class=\"text\">{}</td><td class=\"text\">{}</td>"
         "<td>{:.3g}</td><td>{:.3g}</td><td>{:.3g}</td><td>{}</td><td>{}</td></tr>\n",
         methodAnchor(i), escaped(m.triangles), escaped(m.boxes), escaped(m.nodes), m.nanoseconds,
-        m.t99, m.normal99, m.unexcused, m.rays);
+        m.t99, m.normal99, m.unexplained, m.rays);
   }
   return html + "</table>\n";
 }
@@ -120,8 +120,8 @@ than they look. The float floor is what is left of the error where both sides ta
 samples: the rounding of 32-bit numbers. Both are of the root mean square error (RMSE) over all
 pixels and colours, in units of light where 1 is white; the relative error divides each
 difference by the true value first. A <i>mismatch</i> is a pixel that differs by more than 1e-4 from the
-double-precision picture of the same samples; it is excused where one of these passes an edge of
-something so closely that rounding decides. Unexcused ones are mistakes. Each filter, the way samples are
+double-precision picture of the same samples; it is explained where one of these passes an edge of
+something so closely that rounding decides. Unexplained ones are mistakes. Each filter, the way samples are
 shared among neighbouring pixels, has a true picture of its own.</p>
 )";
 
@@ -138,7 +138,7 @@ methods let rays slip through closed surfaces. All but <i>ours</i> exist only fo
 std::string pageOf(const Chart& chart, const std::string& metric) {
   Choices metrics{
       "metric",
-      {{"rmse", "RMSE"}, {"relmse", "relative MSE"}, {"unexcused", "unexcused mismatches"}}};
+      {{"rmse", "RMSE"}, {"relmse", "relative MSE"}, {"unexplained", "unexplained mismatches"}}};
   for (std::size_t i = 0; i < metrics.names.size(); ++i)
     if (metrics.names[i].first == metric) metrics.first = i;
   Choices filters{"filter", {}, 0};
@@ -181,7 +181,7 @@ std::string pageOf(const Chart& chart, const std::string& metric) {
       "<h2>All points</h2>\n<p>Times are medians in milliseconds. Colours of the error pictures, "
       "from 1e-4 to 1: <span class=\"scale\"></span></p>\n"
       "<table><tr><th>way</th><th>samples</th><th>trace + reconstruct</th><th>whole process</th>"
-      "<th>RMSE</th><th>relative MSE</th><th>unexcused of mismatches</th><th>picture</th>"
+      "<th>RMSE</th><th>relative MSE</th><th>unexplained of mismatches</th><th>picture</th>"
       "<th>error</th></tr>\n";
   for (std::size_t i = 0; i < chart.points.size(); ++i) html += pointRow(chart, i);
   html +=

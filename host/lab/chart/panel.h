@@ -52,14 +52,14 @@ struct Metric {
 };
 inline constexpr Metric kMetrics[] = {{"rmse", "error: RMSE"},
                                       {"relmse", "error: relative MSE"},
-                                      {"unexcused", "unexcused mismatches, share of pixels"}};
+                                      {"unexplained", "unexplained mismatches, share of pixels"}};
 /// NaN where it was not measured.
 double valueOf(const Point& point, const Chart& chart, const std::string& metric);
 
 /// Panel A, or B with `process`: the points of one filter.
 Panel timePanel(const Chart& chart, std::size_t filter, const std::string& metric, bool process);
 
-/// Panel C: "t", "normal" or "unexcused" over time.
+/// Panel C: "t", "normal" or "unexplained" over time.
 Panel methodPanel(const Chart& chart, const std::string& quantity);
 
 /// Where a point or method stands in the page.

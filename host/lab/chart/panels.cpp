@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "lab/chart/numbers.h"
+#include "core/numeric.h"
 #include "lab/chart/panel.h"
 
 namespace laver::chart {
@@ -47,7 +47,7 @@ double valueOf(const Point& point, const Chart& chart, const std::string& metric
   if (metric == "rmse") return point.errors.rmse;
   if (metric == "relmse") return point.errors.relativeMse;
   if (!point.mismatches) return std::numeric_limits<double>::quiet_NaN();
-  return static_cast<double>(point.mismatches->unexcused) /
+  return static_cast<double>(point.mismatches->unexplained) /
          (static_cast<double>(chart.width) * chart.height);
 }
 
@@ -82,7 +82,7 @@ Panel timePanel(const Chart& chart, std::size_t filter, const std::string& metri
                                         milliseconds(x), metric, y),
                             samples});
   }
-  if (metric == "unexcused") return panel;
+  if (metric == "unexplained") return panel;
   panel.slopes = {-0.5, -0.75};
   const Truth& truth = chart.truths[filter];
   const bool relative = metric == "relmse";
@@ -99,7 +99,7 @@ Panel methodPanel(const Chart& chart, const std::string& quantity) {
   panel.xLabel = "nanoseconds a ray, median and quartiles";
   panel.yLabel = quantity == "t"        ? "99th percentile of the error of t, ulp"
                  : quantity == "normal" ? "99th percentile of the error of the normal, 2^-24"
-                                        : "unexcused answers, share of aimed rays";
+                                        : "unexplained answers, share of aimed rays";
   std::map<std::string, std::uint64_t> worst;  // by laver's boxes, of both forms of nodes
   std::uint64_t plain = 0;                     // of laver's triangles by plain slabs
   for (std::size_t i = 0; i < chart.methods.size(); ++i) {
@@ -112,7 +112,7 @@ Panel methodPanel(const Chart& chart, const std::string& quantity) {
                                           Shape::Disc,
                                           {},
                                           false});
-    const double share = static_cast<double>(m.unexcused) / static_cast<double>(m.rays);
+    const double share = static_cast<double>(m.unexplained) / static_cast<double>(m.rays);
     const double y = quantity == "t" ? m.t99 : quantity == "normal" ? m.normal99 : share;
     const std::string form = (m.boxes == "ours"           ? "o"
                               : m.boxes == "robust slabs" ? "r"
@@ -120,15 +120,15 @@ Panel methodPanel(const Chart& chart, const std::string& quantity) {
                              std::string(m.nodes == "32 bits" ? "" : "8");
     curve->marks.push_back(
         {m.nanoseconds, m.quartiles[0], m.quartiles[1], y, methodAnchor(i),
-         fmt::format("{}, {}, {}: {:.3g} ns a ray, {} of {} aimed rays unexcused", m.triangles,
-                     m.boxes, m.nodes, m.nanoseconds, m.unexcused, m.rays),
+         fmt::format("{}, {}, {}: {:.3g} ns a ray, {} of {} aimed rays unexplained", m.triangles,
+                     m.boxes, m.nodes, m.nanoseconds, m.unexplained, m.rays),
          form});
-    if (m.boxes == "ours") worst[m.triangles] = std::max(worst[m.triangles], m.unexcused);
-    if (m.boxes == "plain slabs" && m.triangles == "ours") plain = std::max(plain, m.unexcused);
+    if (m.boxes == "ours") worst[m.triangles] = std::max(worst[m.triangles], m.unexplained);
+    if (m.boxes == "plain slabs" && m.triangles == "ours") plain = std::max(plain, m.unexplained);
   }
   panel.notes = {"boxes: p plain, r robust,", "o ours; 8: nodes of 8 bits"};
   if (chart.methods.empty()) return panel;
-  panel.notes.push_back(fmt::format("unexcused of {} rays,", chart.methods[0].rays));
+  panel.notes.push_back(fmt::format("unexplained of {} rays,", chart.methods[0].rays));
   panel.notes.emplace_back("by boxes o:");
   for (const Curve& curve : panel.curves)
     panel.notes.push_back(fmt::format("  {} {}", worst[curve.label], curve.label));

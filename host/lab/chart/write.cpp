@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "core/numeric.h"
 #include "image/atomic_file.h"
 #include "image/io.h"
 #include "lab/chart/chart.h"
@@ -44,7 +45,7 @@ nlohmann::json jsonOf(const Chart& chart) {
                          {"relativeMse", p.errors.relativeMse}};
     if (p.mismatches)
       entry["mismatches"] = {{"pixels", p.mismatches->pixels},
-                             {"unexcused", p.mismatches->unexcused},
+                             {"unexplained", p.mismatches->unexplained},
                              {"rmse", p.mismatches->rmse}};
     points.push_back(std::move(entry));
   }
@@ -73,7 +74,7 @@ nlohmann::json jsonOf(const Chart& chart) {
 std::string csvOf(const Chart& chart) {
   std::string csv =
       "series,program,filter,sampler,adaptive,traversal,samples,seconds,seconds_q1,seconds_q3,"
-      "process_seconds,process_q1,process_q3,rmse,relative_mse,mismatches,unexcused\n";
+      "process_seconds,process_q1,process_q3,rmse,relative_mse,mismatches,unexplained\n";
   for (const Point& p : chart.points) {
     csv += fmt::format("{},{},{},{},{},{},{:g}", quoted(p.series), quoted(p.program),
                        p.filter->name, p.sampler, p.adaptive ? 1 : 0, p.traversal, p.samples);
@@ -81,7 +82,7 @@ std::string csvOf(const Chart& chart) {
       csv += fmt::format(",{:.6g},{:.6g},{:.6g}", quantile(*seconds, 0.5), quantile(*seconds, 0.25),
                          quantile(*seconds, 0.75));
     csv += fmt::format(",{:.6g},{:.6g},", p.errors.rmse, p.errors.relativeMse);
-    csv += p.mismatches ? fmt::format("{},{}\n", p.mismatches->pixels, p.mismatches->unexcused)
+    csv += p.mismatches ? fmt::format("{},{}\n", p.mismatches->pixels, p.mismatches->unexplained)
                         : ",\n";
   }
   return csv;

@@ -99,12 +99,12 @@ class Comparison {
         truth ? std::optional(truth->triangle) : std::nullopt;
     const auto seen = static_cast<double>(depth_.at(x, y, 0));
     if (id != wanted) {
-      const bool excused = otherHitExplained(film, id, seen);
+      const bool explained = otherHitExplained(film, id, seen);
       const std::lock_guard lock(mutex_);
       ++result_.samples;
       ++result_.idMismatches;
-      result_.idExcused += excused ? 1 : 0;
-      if (!excused)
+      result_.idExplained += explained ? 1 : 0;
+      if (!explained)
         note(x, y, fmt::format("triangle {} instead of {}", nameOf(id), nameOf(wanted)));
       return;
     }
@@ -118,14 +118,14 @@ class Comparison {
     const double normalOff = largest(pixelOf(normal_, x, y) - normal);
     const double depthOff = std::abs(seen - depth);
     double litOff = 0, litUlps = 0;
-    bool shadow = false, shadowExcused = false;
+    bool shadow = false, shadowExplained = false;
     if (lit_) {
       const dvec3 wantedLight = litReference_.radiance(film), got = pixelOf(radiance_, x, y);
       litOff = largest(got - wantedLight);
       litUlps = litOff / ulpOf(largest(wantedLight));
       // A light that only one of the two sees; small ones hide in the bound.
       shadow = !(litOff <= bounds.radiance);
-      shadowExcused = shadow && !litReference_.decided(film, 4.0 * bounds.pixels, 0.5 * litOff);
+      shadowExplained = shadow && !litReference_.decided(film, 4.0 * bounds.pixels, 0.5 * litOff);
     }
     const std::lock_guard lock(mutex_);
     ++result_.samples;
@@ -134,8 +134,8 @@ class Comparison {
     if (!lit_) return;
     if (shadow) {
       ++result_.shadowMismatches;
-      result_.shadowExcused += shadowExcused ? 1 : 0;
-      if (!shadowExcused) note(x, y, fmt::format("radiance off by {:.3g}", litOff));
+      result_.shadowExplained += shadowExplained ? 1 : 0;
+      if (!shadowExplained) note(x, y, fmt::format("radiance off by {:.3g}", litOff));
     } else {
       put(2, x, y, litUlps, true, bounds.cause);
     }
@@ -211,9 +211,9 @@ class Comparison {
 
 }  // namespace
 
-std::uint64_t Explanation::unexcused() const {
-  std::uint64_t count = idMismatches - idExcused + shadowMismatches - shadowExcused;
-  for (const ExplainedChannel& c : channels) count += c.unexcused();
+std::uint64_t Explanation::unexplained() const {
+  std::uint64_t count = idMismatches - idExplained + shadowMismatches - shadowExplained;
+  for (const ExplainedChannel& c : channels) count += c.unexplained();
   return count;
 }
 
@@ -227,9 +227,9 @@ Explanation explain(const Scene& scene, const Scene& judged, const VulkanOptions
 
 std::string describe(const Explanation& e) {
   std::string text = fmt::format("{} samples\n", e.samples);
-  text += fmt::format("other triangle: {}, {} of them excused\n", e.idMismatches, e.idExcused);
-  text +=
-      fmt::format("other shadow: {}, {} of them excused\n", e.shadowMismatches, e.shadowExcused);
+  text += fmt::format("other triangle: {}, {} of them explained\n", e.idMismatches, e.idExplained);
+  text += fmt::format("other shadow: {}, {} of them explained\n", e.shadowMismatches,
+                      e.shadowExplained);
   for (const ExplainedChannel& c : e.channels) {
     text += fmt::format("{} [ulp]:", c.name);
     std::vector<double> sorted = c.ulps;
@@ -244,8 +244,8 @@ std::string describe(const Explanation& e) {
     text += fmt::format("\n  beyond the bound: {}; worst {:.3g} at pixel {}, {}: {}\n",
                         c.mismatches, c.worst, c.x, c.y, c.cause);
   }
-  return text +
-         fmt::format("unexcused: {}{}\n", e.unexcused(), e.unexcused() == 0 ? "" : "; " + e.first);
+  return text + fmt::format("unexplained: {}{}\n", e.unexplained(),
+                            e.unexplained() == 0 ? "" : "; " + e.first);
 }
 
 }  // namespace laver

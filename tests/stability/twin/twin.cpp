@@ -3,23 +3,27 @@
 // the way.
 #include "stability/twin/twin.h"
 
-#include "stability/twin/walk.h"
+#include "bvh/walk.h"
 
 namespace laver::test {
 namespace {
 
 using namespace shared;
 
+/// As the kernels decide it.
+bool enters(const BoxSpan& span, float last) { return span.near <= span.far && span.depth <= last; }
+
 TestHit closestOne(const Bvh& bvh, const TestRay& r) {
   const Shear shear = shearOf(r.direction);
   const BoxRay ray = boxRayOf(r.origin, r.direction, shear.axis);
   const float scale = std::abs(alongAxis(r.direction, shear.axis));
   const float first = r.tmin * scale;
+  float last = r.tmax * scale;
   const Triangle* best = nullptr;
   walk(
-      bvh, r.direction, r.tmax * scale,
-      [&](vec3 lo, vec3 hi) { return boxSpan(ray, first, lo, hi); },
-      [&](const Triangle& t, float& last) {
+      bvh, octantOf(r.direction),
+      [&](const Child& child) { return enters(boxSpan(ray, first, child.lo, child.hi), last); },
+      [&](const Triangle& t) {
         const vec3 pa = permute(shear, t.a - r.origin), pb = permute(shear, t.b - r.origin);
         const vec3 pc = permute(shear, t.c - r.origin);
         const Edges e = edgesOf(shear, pa, pb, pc);
@@ -55,23 +59,20 @@ bool visibleOne(const Bvh& bvh, vec3 light, vec3 point) {
   const Shear shear = shearOf(direction);
   const BoxRay ray = boxRayOf(point, direction, shear.axis);
   const float end = std::abs(alongAxis(direction, shear.axis)) * (1.0F + 2.4e-7F);
-  bool blocked = false;
-  walk(
-      bvh, direction, end, [&](vec3 lo, vec3 hi) { return boxSpan(ray, 0.0F, lo, hi); },
-      [&](const Triangle& t, float&) {
+  return !walk(
+      bvh, octantOf(direction),
+      [&](const Child& child) { return enters(boxSpan(ray, 0.0F, child.lo, child.hi), end); },
+      [&](const Triangle& t) {
         if (t.flipped == IS_SPHERE) {
           const vec2 ends = endsOf(permute(shear, t.a).z, t.b.x, permute(shear, point).z);
-          blocked = ballBlocks(shear, end, permute(shear, t.a - point),
-                               permute(shear, light) - permute(shear, t.a), ends, t.b.x);
-          return blocked;
+          return ballBlocks(shear, end, permute(shear, t.a - point),
+                            permute(shear, light) - permute(shear, t.a), ends, t.b.x);
         }
         const vec3 n = permute(shear, crossProduct(t.b - t.a, t.c - t.a));
         const float side = dotProduct(n, permute(shear, light) - permute(shear, t.a));
-        blocked = blocks(shear, end, n, side, permute(shear, t.a - point),
-                         permute(shear, t.b - point), permute(shear, t.c - point));
-        return blocked;
+        return blocks(shear, end, n, side, permute(shear, t.a - point), permute(shear, t.b - point),
+                      permute(shear, t.c - point));
       });
-  return !blocked;
 }
 
 void visible(const Bvh& bvh, vec3 light, std::span<const vec3> points, std::uint32_t* seen) {

@@ -4,8 +4,8 @@
 #include <atomic>
 #include <cmath>
 
+#include "core/numeric.h"
 #include "core/parallel.h"
-#include "lab/chart/numbers.h"
 
 namespace laver::chart {
 namespace {
@@ -31,14 +31,6 @@ dvec3 normalOf(const shared::Triangle& t) {
   return dvec3(n / std::sqrt(glm::dot(n, n)));
 }
 
-double ulps(float value, double truth) {
-  const float rounded = std::abs(static_cast<float>(truth));
-  return std::abs(static_cast<double>(value) - truth) /
-         static_cast<double>(std::nextafter(rounded, INFINITY) - rounded);
-}
-
-double errorOfT(double truth, float t) { return ulps(t, truth); }
-
 double errorOfNormal(const dvec3& truth, const glm::vec3& normal) {
   const dvec3 n(normal);
   return std::min(glm::length(n - truth), glm::length(n + truth)) / 0x1p-24;
@@ -47,7 +39,7 @@ double errorOfNormal(const dvec3& truth, const glm::vec3& normal) {
 }  // namespace
 
 MethodJudge::MethodJudge(const Bvh& bvh)
-    : excuses_(bvh), byId_(sortedById(bvh)), tree_(doubleTree(bvh)) {}
+    : rounded_(bvh), byId_(sortedById(bvh)), tree_(doubleTree(bvh)) {}
 
 MethodJudge::Truth MethodJudge::truthOf(const MethodRay& ray) const {
   const auto hit = tree_.closest({ray.origin, ray.direction}, static_cast<double>(ray.tmin),
@@ -97,7 +89,7 @@ double MethodJudge::percentile(std::span<const MethodHit> hits,
 }
 
 double MethodJudge::t99(std::span<const MethodHit> hits) const {
-  return percentile(hits, [](const MethodHit& h, const Truth& t) { return errorOfT(t.t, h.t); });
+  return percentile(hits, [](const MethodHit& h, const Truth& t) { return ulps(h.t, t.t); });
 }
 
 double MethodJudge::normal99(std::span<const MethodHit> hits) const {
@@ -105,11 +97,11 @@ double MethodJudge::normal99(std::span<const MethodHit> hits) const {
       hits, [](const MethodHit& h, const Truth& t) { return errorOfNormal(t.normal, h.normal); });
 }
 
-std::uint64_t MethodJudge::unexcused(std::span<const MethodHit> hits) const {
+std::uint64_t MethodJudge::unexplained(std::span<const MethodHit> hits) const {
   std::atomic<std::uint64_t> count = 0;
   parallelFor(hits.size(), 64, 0, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      if (hits[i].id != truths_[i].id && !excuses_.allow(rays_[i], hits[i].id)) ++count;
+      if (hits[i].id != truths_[i].id && !rounded_.explain(rays_[i], hits[i].id)) ++count;
   });
   return count;
 }

@@ -2,7 +2,7 @@
 #include <span>
 #include <vector>
 
-#include "lab/chart/methods/excuses.h"
+#include "lab/chart/methods/rounded_hits.h"
 #include "lab/chart/methods/tracer.h"
 #include "reference/tree.h"
 
@@ -25,8 +25,8 @@ class MethodJudge {
   double t99(std::span<const MethodHit> hits) const;
   double normal99(std::span<const MethodHit> hits) const;
 
-  /// Answers that are neither the truth nor excused (excuses.h).
-  std::uint64_t unexcused(std::span<const MethodHit> hits) const;
+  /// Answers that are neither the truth nor explained by rounding (rounded_hits.h).
+  std::uint64_t unexplained(std::span<const MethodHit> hits) const;
 
  private:
   struct Truth {
@@ -38,7 +38,7 @@ class MethodJudge {
                     double (*error)(const MethodHit&, const Truth&)) const;
   Truth truthOf(const MethodRay& ray) const;
 
-  Excuses excuses_;
+  RoundedHits rounded_;
   std::vector<shared::Triangle> byId_;
   reference::Tree tree_;
   std::vector<MethodRay> rays_;

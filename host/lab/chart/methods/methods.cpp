@@ -1,6 +1,7 @@
 #include "lab/chart/methods/methods.h"
 
 #include "core/error.h"
+#include "core/numeric.h"
 #include "lab/chart/methods/judge.h"
 #include "lab/chart/numbers.h"
 #include "render/packed.h"
@@ -66,16 +67,17 @@ std::vector<MethodPoint> chartMethods(const Scene& scene, const std::string& dev
         point.normal99 = camera.normal99(hits);
         double unused = 0;
         point.rays = aimed.size();
-        point.unexcused = edges.unexcused(tracer.trace(aimed, unused));
+        point.unexplained = edges.unexplained(tracer.trace(aimed, unused));
         points.push_back(point);
       }
   return points;
 }
 
 nlohmann::json toJson(const MethodPoint& m) {
-  return {{"triangles", m.triangles},     {"boxes", m.boxes},         {"nodes", m.nodes},
-          {"nanoseconds", m.nanoseconds}, {"quartiles", m.quartiles}, {"t99", m.t99},
-          {"normal99", m.normal99},       {"rays", m.rays},           {"unexcused", m.unexcused}};
+  return {
+      {"triangles", m.triangles},     {"boxes", m.boxes},         {"nodes", m.nodes},
+      {"nanoseconds", m.nanoseconds}, {"quartiles", m.quartiles}, {"t99", m.t99},
+      {"normal99", m.normal99},       {"rays", m.rays},           {"unexplained", m.unexplained}};
 }
 
 MethodPoint methodFromJson(const nlohmann::json& json) {
@@ -86,7 +88,7 @@ MethodPoint methodFromJson(const nlohmann::json& json) {
   m.t99 = json.at("t99");
   m.normal99 = json.at("normal99");
   m.rays = json.at("rays");
-  m.unexcused = json.at("unexcused");
+  m.unexplained = json.at("unexplained");
   return m;
 }
 

@@ -15,7 +15,8 @@ struct MethodPoint {
   double nanoseconds = 0;               ///< a camera ray, median
   double quartiles[2] = {0, 0};
   double t99 = 0, normal99 = 0;  ///< 99th percentile of the errors: ulp of t, 2^-24 of the normal
-  std::uint64_t rays = 0, unexcused = 0;  ///< aimed at edges and corners: other answers than exact
+  std::uint64_t rays = 0,
+                unexplained = 0;  ///< aimed at edges and corners: other answers than exact
 };
 
 /// Every triangle test with every box test and form of nodes, on a Vulkan device: a camera ray for

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "bvh/walk.h"
+
 namespace laver::chart {
 namespace {
 
@@ -18,12 +20,9 @@ struct Box {
 Box tighten(Bvh& bvh, std::uint32_t ref) {
   Box box;
   if (ref >= shared::REF_LEAF) {
-    std::uint32_t slot = ref & shared::REF_INDEX_MASK, more = 0;
-    do {
-      const shared::Triangle& t = bvh.triangles[slot++];
+    forEachTriangle(bvh, ref, [&](const shared::Triangle& t) {
       for (const glm::vec3 corner : {t.a, t.b, t.c}) box.grow({corner, corner});
-      more = t.more;
-    } while (more > 0);
+    });
     return box;
   }
   for (shared::Child& child : bvh.nodes[ref].child) {

@@ -1,4 +1,4 @@
-#include "lab/chart/methods/excuses.h"
+#include "lab/chart/methods/rounded_hits.h"
 
 #include <algorithm>
 #include <array>
@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "bvh/walk.h"
 #include "reference/ray.h"
 
 namespace laver::chart {
@@ -98,34 +99,24 @@ std::vector<Seen> nearRay(const Bvh& bvh, const MethodRay& ray) {
   const double scale = largest(d);
   const double pad = 64.0 * e * (largest(o) + 1.0);  // more than any bound
   std::vector<Seen> list;
-  std::vector<std::uint32_t> open{bvh.root};
-  while (!open.empty()) {
-    const std::uint32_t ref = open.back();
-    open.pop_back();
-    if (ref >= shared::REF_LEAF) {
-      std::uint32_t slot = ref & shared::REF_INDEX_MASK, more = 0;
-      do {
-        const Seen seen = seenFrom(bvh.triangles[slot], ray);
-        more = bvh.triangles[slot++].more;
-        const auto [least, most] = std::minmax({seen.z[0], seen.z[1], seen.z[2]});
-        if (seen.distance <= seen.bound && most >= static_cast<double>(ray.tmin) * scale &&
-            least <= static_cast<double>(ray.tmax) * scale)
-          list.push_back(seen);
-      } while (more > 0);
-      continue;
+  const auto passes = [&](const shared::Child& child) {
+    double near = -kInfinity, far = kInfinity;
+    for (int a = 0; a < 3; ++a) {
+      const double t0 = (static_cast<double>(child.lo[a]) - pad - o[a]) / d[a];
+      const double t1 = (static_cast<double>(child.hi[a]) + pad - o[a]) / d[a];
+      near = std::max(near, std::min(t0, t1));
+      far = std::min(far, std::max(t0, t1));
     }
-    for (const shared::Child& child : bvh.nodes[ref].child) {
-      if (child.ref == shared::REF_NONE) continue;
-      double near = -kInfinity, far = kInfinity;
-      for (int a = 0; a < 3; ++a) {
-        const double t0 = (static_cast<double>(child.lo[a]) - pad - o[a]) / d[a];
-        const double t1 = (static_cast<double>(child.hi[a]) + pad - o[a]) / d[a];
-        near = std::max(near, std::min(t0, t1));
-        far = std::min(far, std::max(t0, t1));
-      }
-      if (!(near > far)) open.push_back(child.ref);
-    }
-  }
+    return !(near > far);
+  };
+  walk(bvh, 0, passes, [&](const shared::Triangle& triangle) {
+    const Seen seen = seenFrom(triangle, ray);
+    const auto [least, most] = std::minmax({seen.z[0], seen.z[1], seen.z[2]});
+    if (seen.distance <= seen.bound && most >= static_cast<double>(ray.tmin) * scale &&
+        least <= static_cast<double>(ray.tmax) * scale)
+      list.push_back(seen);
+    return false;
+  });
   return list;
 }
 
@@ -159,7 +150,7 @@ std::vector<dvec2> pointsIn(const std::vector<dvec2>& polygon) {
 
 }  // namespace
 
-bool Excuses::allow(const MethodRay& ray, std::uint32_t id) const {
+bool RoundedHits::explain(const MethodRay& ray, std::uint32_t id) const {
   const std::vector<Seen> list = nearRay(bvh_, ray);
   double reach = 0;
   for (const Seen& seen : list) reach = std::max(reach, seen.bound);

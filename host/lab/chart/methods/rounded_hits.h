@@ -15,14 +15,14 @@ namespace laver::chart {
 ///   e (|ax by| + |ay bx|) / |a - b|.
 /// Both triangles of an edge round alike, so an edge that passes the ray within their sum may lie
 /// on its other side, and nothing else may change.
-class Excuses {
+class RoundedHits {
  public:
   /// `bvh` outlives this.
-  explicit Excuses(const Bvh& bvh) : bvh_(bvh) {}
+  explicit RoundedHits(const Bvh& bvh) : bvh_(bvh) {}
 
   /// Whether the answer is first at a point that is as near the ray as the largest of the bounds
   /// of the edges that are near it; NO_HIT: whether there is nothing at such a point.
-  bool allow(const MethodRay& ray, std::uint32_t id) const;
+  bool explain(const MethodRay& ray, std::uint32_t id) const;
 
  private:
   const Bvh& bvh_;
