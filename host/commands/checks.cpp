@@ -31,7 +31,7 @@ std::size_t layerChannels(const RenderOptions& options) {
 /// The picture and its files are made in memory; measured at 16384 x 16384: 20 bytes a pixel. Sums
 /// that are kept are 32 more, and their file as many again.
 void checkMemory(const RenderCommand& command, const Camera& camera) {
-  const Crop film = command.options.crop.value_or(Crop{0, 0, camera.width, camera.height});
+  const Crop film = coreOf(camera, command.options);
   // A layer's: 4 bytes a channel, once more while layers are put together, and the file's.
   const std::uint64_t bytes = (command.resume ? 88 : 24) + 12 * layerChannels(command.options) +
                               (command.displayServer ? 12 : 0) +

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/error.h"
+#include "render/options.h"
 #include "render/renderer.h"
-#include "scene/render_options.h"
 #include "scene/scene.h"
 #include "show/connection.h"
 

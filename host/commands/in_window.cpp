@@ -37,19 +37,16 @@ ExitCode runInWindow(const std::string& title,
   return ended.get();
 }
 
-WindowReport::WindowReport(ViewedPictures& pictures, const std::string& name, int width, int height,
-                           std::uint32_t samples)
-    : pictures_(pictures), wanted_(static_cast<double>(samples) * width * height) {
+WindowReport::WindowReport(ViewedPictures& pictures, const std::string& name, int width, int height)
+    : pictures_(pictures) {
   pictures.add(name, rgbImage(width, height));
 }
 
-void WindowReport::progress(double share, const Stats& stats) {
-  last_.device = stats.device;
+void WindowReport::progress(double share, std::uint64_t samples) {
   last_.share = share;
   last_.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-  // The reference does not count them.
-  const double samples = stats.samples != 0 ? static_cast<double>(stats.samples) : share * wanted_;
-  last_.samplesPerSecond = (samples - firstSamples_) / (last_.seconds - first_.seconds);
+  last_.samplesPerSecond =
+      static_cast<double>(samples - firstSamples_) / (last_.seconds - first_.seconds);
   if (first_.seconds == 0.0) {
     first_ = last_;
     firstSamples_ = samples;
@@ -57,8 +54,7 @@ void WindowReport::progress(double share, const Stats& stats) {
   pictures_.report(last_);
 }
 
-void WindowReport::end(const Image& picture, const Stats& stats) {
-  last_.device = stats.device;
+void WindowReport::end(const Image& picture) {
   last_.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
   last_.over = true;
   pictures_.replace(picture);

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/error.h"
-#include "render/stats.h"
+#include "render/observer.h"
 #include "show/viewed_pictures.h"
 
 namespace laver {
@@ -15,27 +15,28 @@ namespace laver {
 ExitCode runInWindow(const std::string& title,
                      const std::function<ExitCode(ViewedPictures&)>& render);
 
-/// Tells a window how a render goes on.
-class WindowReport {
+/// Shows a render in a window.
+class WindowReport : public Observer {
  public:
-  /// The picture is black at first. `samples` are those that a pixel is to get.
-  WindowReport(ViewedPictures& pictures, const std::string& name, int width, int height,
-               std::uint32_t samples);
+  /// The picture is black at first.
+  WindowReport(ViewedPictures& pictures, const std::string& name, int width, int height);
 
-  void rowsChanged(const Image& picture, int firstRow, int endRow) {
-    pictures_.rowsChanged(picture, firstRow, endRow);
+  void started(const std::string& device) override { last_.device = device; }
+  void progress(double share, std::uint64_t samples) override;
+  void rowsChanged(const Image& picture, int first, int end) override {
+    pictures_.rowsChanged(picture, first, end);
   }
-  void progress(double share, const Stats& stats);
-  void end(const Image& picture, const Stats& stats);
+  double timeShare() const override { return 0.01; }
+  /// The render is over.
+  void end(const Image& picture);
 
  private:
   using Clock = std::chrono::steady_clock;
 
   ViewedPictures& pictures_;
-  double wanted_;  ///< samples
   const Clock::time_point start_ = Clock::now();
   ViewedPictures::Rendering first_, last_;  ///< from the first on the device is at work
-  double firstSamples_ = 0.0;
+  std::uint64_t firstSamples_ = 0;
 };
 
 }  // namespace laver

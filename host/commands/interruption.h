@@ -1,16 +1,19 @@
 #pragma once
 #include "core/error.h"
+#include "render/observer.h"
 
 namespace laver {
 
 /// While it lives, SIGINT and SIGTERM are noted instead of ending the process; the second of a kind
 /// ends it at once. A signal that the process was started to ignore stays ignored. One at a time.
-class Interruption {
+class Interruption : public Observer {
  public:
   Interruption();
-  ~Interruption();
+  ~Interruption() override;
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
+
+  bool stop() override { return noted(); }
 
   /// Whether one of the two came.
   static bool noted();

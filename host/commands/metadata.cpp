@@ -37,7 +37,8 @@ glm::dmat4 cameraToNdc(const Camera& camera) {
   return m;
 }
 
-Metadata metadataOf(const Scene& scene, const Stats& stats, double renderSeconds, bool whole) {
+Metadata metadataOf(const Scene& scene, const Rendered& rendered, const Stats& stats,
+                    double renderSeconds) {
   const glm::dmat4 worldToCamera = glm::inverse(scene.camera.toWorld);
   Metadata metadata = {{"comments", fmt::format("laver {} of {}", LAVER_VERSION, scene.file)},
                        {"laverVersion", std::string(LAVER_VERSION)},
@@ -47,17 +48,17 @@ Metadata metadataOf(const Scene& scene, const Stats& stats, double renderSeconds
                        {"seed", std::to_string(scene.sampler.seed)},
                        {"sampler", std::string(samplerName(scene.sampler.kind))},
                        {"renderTimeSeconds", renderSeconds},
-                       {"samplesPerPixel", static_cast<int>(stats.reached.samples)},
+                       {"samplesPerPixel", static_cast<int>(rendered.reached.samples)},
                        {"worldToCamera", worldToCamera},
                        {"worldToNDC", cameraToNdc(scene.camera) * worldToCamera}};
   if (stats.adaptive.error > 0.0) {
     metadata["errorWanted"] = stats.adaptive.error;
     metadata["samplesPerPixelAverage"] = stats.adaptive.average;
   }
-  if (!whole) {
+  if (!rendered.whole()) {
     metadata["samplesPerPixelWanted"] = static_cast<int>(scene.sampler.sampleCount);
-    metadata["rowsReached"] = stats.reached.rows;
-    metadata["rowsComplete"] = stats.reached.wholeRows;
+    metadata["rowsReached"] = rendered.reached.rows;
+    metadata["rowsComplete"] = rendered.reached.wholeRows;
   }
   return metadata;
 }

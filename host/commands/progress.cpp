@@ -16,6 +16,8 @@ void Progress::wipe() {
   shown_ = false;
 }
 
+void Progress::progress(double share, std::uint64_t /*samples*/) { show(share); }
+
 void Progress::show(double share) {
   const auto now = Clock::now();
   if (!active_ || now - last_ < std::chrono::milliseconds(100)) return;

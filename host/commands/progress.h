@@ -1,17 +1,20 @@
 #pragma once
 #include <chrono>
 
+#include "render/observer.h"
+
 namespace laver {
 
 /// A line on stderr with the share done, elapsed and remaining time; only on a terminal, and at
 /// most ten times a second. Its end wipes the line.
-class Progress {
+class Progress : public Observer {
  public:
   explicit Progress(bool wanted);
-  ~Progress();
+  ~Progress() override;
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
+  void progress(double share, std::uint64_t samples) override;
   void show(double share);
   /// Makes room for a line of something else.
   void wipe();

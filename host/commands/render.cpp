@@ -65,23 +65,15 @@ void writeStats(const RenderCommand& command, const Stats& stats) {
 }
 
 /// Renders with `renderer`, or the reference where there is none.
-Image render(const RenderCommand& command, const Scene& scene, Renderer* renderer, FilmState& state,
-             Stats& stats, DisplayServer* display, WindowReport* window) {
+Rendered render(const RenderCommand& command, const Scene& scene, Renderer* renderer,
+                FilmState& state, Stats& stats, std::vector<Observer*> observers) {
   RenderOptions options = command.options;
   // Adaptive sampling leaves its map beside the picture.
   if (options.error > 0.0 && !asks(options.layers, Layer::Samples))
     options.layers.push_back(Layer::Samples);
-  if (display != nullptr || window != nullptr)
-    options.watcher.rowsChanged = [&](const Image& picture, int firstRow, int endRow) {
-      if (display != nullptr) display->rowsChanged(picture, firstRow, endRow);
-      if (window != nullptr) window->rowsChanged(picture, firstRow, endRow);
-    };
   Progress progress(!command.quiet);
-  options.progress = [&](double share) {
-    progress.show(share);
-    if (window != nullptr) window->progress(share, stats);
-  };
-  options.stop = Interruption::noted;
+  options.observers = std::move(observers);
+  options.observers.push_back(&progress);
   if (renderer != nullptr) return renderer->render(scene, options, state, stats);
   stats.device = "reference";
   stats.driver = "double precision on the CPU";
@@ -89,9 +81,10 @@ Image render(const RenderCommand& command, const Scene& scene, Renderer* rendere
   const auto start = Clock::now();
   const Reference reference(scene, options.threads);
   stats.seconds.build = since(start);
-  Image image = reference.render(options, stats.droppedSamples, stats.reached);
+  Rendered rendered = reference.render(options);
+  stats.droppedSamples = rendered.droppedSamples;
   stats.seconds.trace = since(start) - stats.seconds.build;
-  return image;
+  return rendered;
 }
 
 void writePictures(const std::filesystem::path& exr, const Image& image, const Metadata& metadata,
@@ -112,7 +105,7 @@ Error interrupted(const std::string& what) { return {Interruption::code(), "inte
 /// `viewed` may be null.
 ExitCode run(const RenderCommand& command, ViewedPictures* viewed) {
   const auto start = Clock::now();
-  const Interruption interruption;
+  Interruption interruption;
   if (command.resume && command.reference)
     throw Error(ExitCode::Usage, "--resume goes with Vulkan renders, not with --reference");
   std::unique_ptr<Renderer> renderer;
@@ -143,34 +136,36 @@ ExitCode run(const RenderCommand& command, ViewedPictures* viewed) {
   if (!command.quiet) std::cout << "Configuration: " << describe(scene) << "\nRendering .. ";
   flushStandardOutput();  // better now than after a long render
   std::optional<WindowReport> window;
-  const Crop film =
-      command.options.crop.value_or(Crop{0, 0, scene.camera.width, scene.camera.height});
+  const Crop core = coreOf(scene.camera, command.options);
   if (viewed != nullptr)
-    window.emplace(*viewed, wanted.string(), film.x1 - film.x0, film.y1 - film.y0,
-                   scene.sampler.sampleCount);
+    window.emplace(*viewed, wanted.string(), core.x1 - core.x0, core.y1 - core.y0);
+  std::vector<Observer*> observers{&interruption};
+  if (display) observers.push_back(&*display);
+  if (window) observers.push_back(&*window);
   const auto renderStart = Clock::now();
-  const Image image = render(command, scene, renderer.get(), state, stats,
-                             display ? &*display : nullptr, window ? &*window : nullptr);
+  const Rendered rendered =
+      render(command, scene, renderer.get(), state, stats, std::move(observers));
+  const Image& image = rendered.image;
   const double renderSeconds = since(renderStart);
-  if (window) window->end(image, stats);
-  const Reached& reached = stats.reached;
-  const bool whole = reached.wholeRows == image.height && reached.unfinished == 0;
+  if (window) window->end(image);
+  const Reached& reached = rendered.reached;
+  const bool whole = rendered.whole();
   if (!command.quiet)
     std::cout << fmt::format("{}. (took {})\n", whole ? "done" : "stopped",
                              timeText(renderSeconds));
   if (reached.rows == 0) throw interrupted(nothing);
-  if (stats.droppedSamples != 0)
+  if (rendered.droppedSamples != 0)
     std::cerr << fmt::format(
         "laver: warning: {} samples were negative or not finite and are left "
         "out\n",
-        stats.droppedSamples);
+        rendered.droppedSamples);
 
   const auto writeStart = Clock::now();
   const auto exr = whole ? wanted : partial(wanted);
   if (!command.quiet)
     std::cout << fmt::format("Writing a {}x{} OpenEXR file to \"{}\"\n", image.width, image.height,
                              exr.string());
-  writePictures(exr, image, metadataOf(scene, stats, renderSeconds, whole),
+  writePictures(exr, image, metadataOf(scene, rendered, stats, renderSeconds),
                 command.options.threads);
   const bool sobol = scene.sampler.kind == Sampler::Kind::Sobol;
   const std::string goOn =

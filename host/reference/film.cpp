@@ -8,7 +8,6 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "core/sparing.h"
 #include "reference/sampler.h"
 
 namespace laver::reference {
@@ -30,8 +29,8 @@ struct Sums {
 
 std::size_t index(int value) { return static_cast<std::size_t>(value); }
 
-Crop wholeOrCrop(const Camera& camera, const RenderOptions& options) {
-  const Crop crop = options.crop.value_or(Crop{0, 0, camera.width, camera.height});
+Crop checkedCore(const Camera& camera, const RenderOptions& options) {
+  const Crop crop = coreOf(camera, options);
   if (crop.x0 < 0 || crop.y0 < 0 || crop.x1 > camera.width || crop.y1 > camera.height ||
       crop.x0 >= crop.x1 || crop.y0 >= crop.y1) {
     throw Error(ExitCode::Usage,
@@ -43,17 +42,17 @@ Crop wholeOrCrop(const Camera& camera, const RenderOptions& options) {
   return crop;
 }
 
-bool usable(const glm::dvec3& v, bool signs) {
-  const auto good = [&](double x) { return std::isfinite(x) && (signs || x >= 0.0); };
+bool usable(const glm::dvec3& v, bool isSigned) {
+  const auto good = [&](double x) { return std::isfinite(x) && (isSigned || x >= 0.0); };
   return good(v.x) && good(v.y) && good(v.z);
 }
 
 // The pixels of one band of the crop, and the samples of these and of the pixels around them.
 class Band {
  public:
-  Band(const Scene& scene, const RenderOptions& options, const Crop& pixels, bool signs)
+  Band(const Scene& scene, const RenderOptions& options, const Crop& pixels, bool isSigned)
       : scene_(scene),
-        signs_(signs),
+        isSigned_(isSigned),
         threads_(options.threads),
         weights_(scene.filter, options.noriCompat),
         pixels_(pixels),
@@ -78,7 +77,7 @@ class Band {
         const glm::vec2 film = samplePosition(scene_.camera, scene_.sampler, x, y, sample);
         const glm::vec2 numbers = sampleAperture(scene_.camera, scene_.sampler, x, y, sample);
         const glm::dvec3 value = radianceAt(glm::dvec2(film), glm::dvec2(numbers));
-        samples_[i] = {film, value, usable(value, signs_)};
+        samples_[i] = {film, value, usable(value, isSigned_)};
         const bool own = x >= pixels_.x0 && x < pixels_.x1 && y >= pixels_.y0 && y < pixels_.y1;
         if (own && !samples_[i].kept) ++dropped;
       }
@@ -131,7 +130,7 @@ class Band {
   }
 
   const Scene& scene_;
-  bool signs_;
+  bool isSigned_;
   unsigned threads_;
   FilterWeights weights_;
   Crop pixels_, around_;
@@ -141,41 +140,40 @@ class Band {
 
 }  // namespace
 
-Image renderFilm(const Scene& scene, const RenderOptions& options, const RadianceAt& radianceAt,
-                 bool signs, std::uint64_t& dropped, Reached& reached) {
-  const Crop crop = wholeOrCrop(scene.camera, options);
+Rendered renderFilm(const Scene& scene, const RenderOptions& options, const Picture& picture,
+                    Observers& observers) {
+  const Crop crop = checkedCore(scene.camera, options);
   const std::uint32_t count = scene.sampler.sampleCount;
   const auto columns = index(crop.x1 - crop.x0);
   const int rows = static_cast<int>(std::max<std::size_t>(samplesAtOnce / columns, 16));
-  const auto& watcher = options.watcher.rowsChanged;
-  Sparing sparing(options.watcher.share);
-  Image image = rgbImage(crop.x1 - crop.x0, crop.y1 - crop.y0);
-  reached = {};
+  observers.beginPicture(picture.index, picture.count);
+  const std::uint64_t all = std::uint64_t{columns} * index(crop.y1 - crop.y0) * count;
+  Rendered rendered{rgbImage(crop.x1 - crop.x0, crop.y1 - crop.y0), {}, 0};
   std::uint32_t done = count;
   for (int y0 = crop.y0; y0 < crop.y1 && done == count; y0 += rows) {
     const int y1 = std::min(y0 + rows, crop.y1);
-    Band band(scene, options, {crop.x0, y0, crop.x1, y1}, signs);
+    Band band(scene, options, {crop.x0, y0, crop.x1, y1}, picture.isSigned);
     const auto batch =
         static_cast<std::uint32_t>(std::max<std::size_t>(samplesAtOnce / band.traced(), 1));
     const auto show = [&] {
-      band.write(crop, image);
-      if (watcher) watcher(image, y0 - crop.y0, y1 - crop.y0);
+      band.write(crop, rendered.image);
+      observers.rowsChanged(rendered.image, y0 - crop.y0, y1 - crop.y0);
     };
-    for (done = 0; done < count && !(options.stop && options.stop());) {
+    for (done = 0; done < count && !observers.stop();) {
       const std::uint32_t end = done + std::min(batch, count - done);
-      dropped += band.trace(done, end, radianceAt);
+      rendered.droppedSamples += band.trace(done, end, picture.radianceAt);
       band.gather();
       done = end;
-      if (options.progress) {
-        const double inBand = static_cast<double>(end) / count * (y1 - y0);
-        options.progress((y0 - crop.y0 + inBand) / (crop.y1 - crop.y0));
-      }
-      if (watcher && done < count && sparing.due()) sparing.run(show);
+      const double inBand = static_cast<double>(end) / count * (y1 - y0);
+      const double share = (y0 - crop.y0 + inBand) / (crop.y1 - crop.y0);
+      observers.progress(share, picture.index * all +
+                                    static_cast<std::uint64_t>(share * static_cast<double>(all)));
+      if (done < count && observers.due()) observers.show(show);
     }
-    reached.addRows(y1 - y0, done, count);
-    sparing.run(show);
+    rendered.reached.addRows(y1 - y0, done, count);
+    observers.show(show);
   }
-  return image;
+  return rendered;
 }
 
 }  // namespace laver::reference

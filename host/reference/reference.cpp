@@ -57,25 +57,21 @@ glm::vec2 Reference::sampleNumbers(int x, int y, std::uint32_t sample) const {
   return reference::sampleAperture(impl_->scene.camera, impl_->scene.sampler, x, y, sample);
 }
 
-Image Reference::render(const RenderOptions& options) const {
-  std::uint64_t dropped = 0;
-  Reached reached;
-  return render(options, dropped, reached);
-}
-
-Image Reference::render(const RenderOptions& options, std::uint64_t& dropped,
-                        Reached& reached) const {
-  dropped = 0;
+Rendered Reference::render(const RenderOptions& options) const {
+  Observers observers(options.observers);
+  observers.started("reference");
+  const std::vector<Shown> more = shownBeside(options.more, options.layers);
+  const std::size_t count = 1 + more.size();
+  Rendered all = picture(impl_->scene.integrator, options, {0, count}, observers);
+  const int width = all.image.width, height = all.image.height;
   std::vector<Image> parts;
-  parts.push_back(picture(impl_->scene.integrator, options, dropped, reached));
-  const int width = parts.front().width, height = parts.front().height;
-  RenderOptions unwatched = options;
-  unwatched.watcher = {};
-  for (const Shown& shown : shownBeside(options.more, options.layers)) {
-    Reached own;
-    parts.push_back(picture(shown.integrator, unwatched, dropped, own));
-    parts.back().channels = shown.channels;
-    if (own.wholeRows != height) ++reached.unfinished;
+  parts.push_back(std::move(all.image));
+  for (std::size_t i = 0; i < more.size(); ++i) {
+    Rendered one = picture(more[i].integrator, options, {i + 1, count}, observers);
+    one.image.channels = more[i].channels;
+    if (!one.whole()) ++all.reached.unfinished;
+    all.droppedSamples += one.droppedSamples;
+    parts.push_back(std::move(one.image));
   }
   if (!centreChannels(options.layers).empty()) parts.push_back(centres(options));
   if (asks(options.layers, Layer::Samples)) {
@@ -83,19 +79,21 @@ Image Reference::render(const RenderOptions& options, std::uint64_t& dropped,
     const std::uint32_t wanted = impl_->scene.sampler.sampleCount;
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x)
-        parts.back().at(x, y, 0) = static_cast<float>(reached.samplesIn(y, wanted));
+        parts.back().at(x, y, 0) = static_cast<float>(all.reached.samplesIn(y, wanted));
   }
-  return joined(std::move(parts));
+  all.image = joined(std::move(parts));
+  return all;
 }
 
-Image Reference::picture(Integrator shown, const RenderOptions& options, std::uint64_t& dropped,
-                         Reached& reached) const {
+Rendered Reference::picture(Integrator shown, const RenderOptions& options, Place place,
+                            Observers& observers) const {
   const auto radianceAt = [&](glm::dvec2 film, glm::dvec2 numbers) {
     return reference::radiance(impl_->world, impl_->scene, shown, impl_->view.through(film),
                                numbers);
   };
-  return reference::renderFilm(impl_->scene, options, radianceAt,
-                               shown == Integrator::ShadingNormal, dropped, reached);
+  return reference::renderFilm(
+      impl_->scene, options,
+      {radianceAt, shown == Integrator::ShadingNormal, place.index, place.count}, observers);
 }
 
 std::optional<CentreHit> Reference::centre(glm::dvec2 film) const {
@@ -113,7 +111,7 @@ std::optional<CentreHit> Reference::centre(glm::dvec2 film) const {
 
 Image Reference::centres(const RenderOptions& options) const {
   const Camera& camera = impl_->scene.camera;
-  const Crop crop = options.crop.value_or(Crop{0, 0, camera.width, camera.height});
+  const Crop crop = coreOf(camera, options);
   Image image = blackImage(crop.x1 - crop.x0, crop.y1 - crop.y0, centreChannels(options.layers));
   const std::size_t channels = image.channels.size();
   const auto width = static_cast<std::size_t>(image.width);

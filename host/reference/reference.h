@@ -5,7 +5,9 @@
 #include <optional>
 
 #include "image/image.h"
-#include "scene/render_options.h"
+#include "render/observer.h"
+#include "render/options.h"
+#include "render/rendered.h"
 #include "scene/scene.h"
 
 namespace laver {
@@ -51,18 +53,17 @@ class Reference {
   /// coordinates uv is 0.
   std::optional<CentreHit> centre(glm::dvec2 film) const;
 
-  /// Samples, reconstructs, and rounds to float at the very end. Throws Error(Usage) if the crop
-  /// is empty or not inside the film.
-  Image render(const RenderOptions& options = {}) const;
-
-  /// The same; `dropped` becomes the number of samples of the pixels shown that were left out,
-  /// because they were NaN, infinite or negative, and `reached` how far the render came before
-  /// options.stop ended it.
-  Image render(const RenderOptions& options, std::uint64_t& dropped, Reached& reached) const;
+  /// Samples, reconstructs, and rounds to float at the very end, up to where an observer ends it.
+  /// Throws Error(Usage) if the crop is empty or not inside the film.
+  Rendered render(const RenderOptions& options = {}) const;
 
  private:
-  Image picture(Integrator shown, const RenderOptions& options, std::uint64_t& dropped,
-                Reached& reached) const;
+  /// Which of a render's pictures.
+  struct Place {
+    std::size_t index, count;
+  };
+  Rendered picture(Integrator shown, const RenderOptions& options, Place place,
+                   Observers& observers) const;
   Image centres(const RenderOptions& options) const;
 
   struct Impl;

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "scene/render_options.h"
+#include "render/options.h"
 
 namespace laver {
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "render/observer.h"
 #include "render/projection.h"
 #include "render/stopwatch.h"
 
@@ -87,7 +88,7 @@ std::uint32_t Passes::mostOf(const Crop& band, std::uint32_t samples) const {
 }
 
 std::uint32_t Passes::traceCentres(const Crop& band) {
-  if (options_.stop && options_.stop()) return 0;
+  if (stops(options_.observers)) return 0;
   shared::Pass pass{};
   pass.region = pass.core = {band.x0, band.y0, band.x1 - band.x0, band.y1 - band.y0};
   pass.samples.y = 1;
@@ -106,18 +107,20 @@ std::uint32_t Passes::add(const Crop& band, std::uint32_t first, std::uint32_t e
     onDevice_.upload(map_->counts(pass.region));
   else
     planParts(pass);
+  const std::uint64_t before = stats_.samples;
   std::uint32_t done = first;
-  while (done < end && !(options_.stop && options_.stop())) {
+  while (done < end && !stops(options_.observers)) {
     pass.samples.x = done;
     pass.samples.y = std::min(plan_.samplesAPass, end - done);
     tracePass(pass);
     gatherPass(pass);
     ++stats_.passes;
     done += pass.samples.y;
+    stats_.samples =
+        before + (mapped() ? map_->samplesOf(band, done)
+                           : std::uint64_t{pass.core.z} * pass.core.w * (done - first));
     passed(done);
   }
-  stats_.samples += mapped() ? map_->samplesOf(band, done)
-                             : std::uint64_t{pass.core.z} * pass.core.w * (done - first);
   return done;
 }
 

@@ -38,7 +38,7 @@ class Passes {
   std::span<const std::byte> filmOf(const Crop& band);
 
   /// Adds samples [first, end) of the pixels of a band, calling passed(n) when n samples are in it;
-  /// returns to which sample it came, less than `end` if options.stop ended it.
+  /// returns to which sample it came, less than `end` if an observer ended it.
   std::uint32_t add(const Crop& band, std::uint32_t first, std::uint32_t end,
                     const std::function<void(std::uint32_t)>& passed);
   /// The most samples that a pixel of a band gets: what the map says, or else `samples`.

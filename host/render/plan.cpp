@@ -105,16 +105,12 @@ RenderPlan planRender(const VkPhysicalDeviceLimits& limits, Crop core, int width
 RenderPlan planRender(const VkPhysicalDeviceLimits& limits, const Scene& scene,
                       const RenderOptions& options, std::uint32_t apron, std::uint64_t maxSlots) {
   const Camera& camera = scene.camera;
-  Crop planned = coreOf(scene, options);
+  Crop planned = coreOf(camera, options);
   if (options.error != 0.0)
     planned = pilotArea(cropOf(regionOf(planned, apron, camera.width, camera.height)), camera.width,
                         camera.height);
   return planRender(limits, planned, camera.width, camera.height, apron, scene.sampler.sampleCount,
                     maxSlots, sideBySide(scene));
-}
-
-Crop coreOf(const Scene& scene, const RenderOptions& options) {
-  return options.crop.value_or(Crop{0, 0, scene.camera.width, scene.camera.height});
 }
 
 }  // namespace laver

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "scene/render_options.h"
+#include "render/options.h"
 #include "scene/scene.h"
 #include "shared/layout.h"
 #include "vulkan/device.h"
@@ -34,9 +34,6 @@ RenderPlan planRender(const VkPhysicalDeviceLimits& limits, Crop core, int width
 /// Cuts the film of a scene, or what the options crop of it.
 RenderPlan planRender(const VkPhysicalDeviceLimits& limits, const Scene& scene,
                       const RenderOptions& options, std::uint32_t apron, std::uint64_t maxSlots);
-
-/// The pixels that are wanted.
-Crop coreOf(const Scene& scene, const RenderOptions& options);
 
 /// Region (core rows [y0, y1) with the apron, cut to the film) as x, y, width, height.
 glm::uvec4 regionOf(Crop core, std::uint32_t apron, int width, int height);

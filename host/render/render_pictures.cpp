@@ -4,7 +4,6 @@
 #include <optional>
 #include <utility>
 
-#include "core/sparing.h"
 #include "render/resolve.h"
 #include "render/sampler_data.h"
 #include "render/stopwatch.h"
@@ -21,18 +20,19 @@ class Render {
         scene_(film.scene),
         options_(film.options),
         core_(film.core),
+        observers_(film.observers),
         state_(state),
         stats_(stats) {}
 
-  Image run(std::vector<Rendering> pictures) {
+  Rendered run(std::vector<Rendering> pictures) {
     std::vector<Image> parts;
+    Reached ofFirst;
     bool whole = true;
     for (Rendering& picture : pictures) {
       const SpecConstants guess = picture.constants;
       requireStack(picture.constants, data_.bvh.stack);
       picture_ = &picture;
-      before_ = static_cast<double>(parts.size());
-      each_ = 1.0 / static_cast<double>(pictures.size());
+      observers_.beginPicture(parts.size(), pictures.size());
       image_ = blackImage(core_.x1 - core_.x0, core_.y1 - core_.y0, picture.channels);
       const bool first = parts.empty();
       Reached reached;
@@ -47,15 +47,16 @@ class Render {
         whole = reached.wholeRows == image_.height;
       }
       if (first)
-        stats_.reached = reached;
+        ofFirst = reached;
       else if (!whole)
-        ++stats_.reached.unfinished;
+        ++ofFirst.unfinished;
       parts.push_back(std::move(image_));
     }
     state_.dropped += passes_.dropped();
     stats_.droppedSamples = state_.dropped;
-    if (asks(options_.layers, Layer::Samples)) parts.push_back(samplesLayer(parts.front()));
-    return joined(std::move(parts));
+    if (asks(options_.layers, Layer::Samples))
+      parts.push_back(samplesLayer(parts.front(), ofFirst));
+    return {joined(std::move(parts)), ofFirst, state_.dropped};
   }
 
  private:
@@ -159,18 +160,17 @@ class Render {
   }
 
   bool pilots() const { return options_.error != 0.0 && !map_; }
-  bool watched() const { return options_.watcher.rowsChanged && before_ == 0.0 && !pilots(); }
 
-  /// Resolves what a band of a picture of `core` has, and tells the watcher.
+  /// Resolves what a band of a picture of `core` has, and shows it to the observers.
   void resolveBand(const Crop& band, const Crop& core, Image& image) {
-    sparing_.run([&] {
+    observers_.show([&] {
       const Stopwatch watch(stats_.seconds.readBack);
       const auto film = passes_.filmOf(band);
       if (picture_->centres)
         resolveCentres(film, band.y0 - core.y0, scene_, data_.space, options_, image);
       else
         resolve(film, band.y0 - core.y0, image, options_.threads);
-      if (watched()) options_.watcher.rowsChanged(image, band.y0 - core.y0, band.y1 - core.y0);
+      if (!pilots()) observers_.rowsChanged(image, band.y0 - core.y0, band.y1 - core.y0);
     });
   }
 
@@ -181,22 +181,19 @@ class Render {
 
   /// A band has n of its samples.
   void passDone(const Crop& band, std::uint32_t n, std::uint32_t of) {
-    if (options_.progress && !pilots()) {
-      const double share = static_cast<double>(n) / of;
-      const double picture =
-          (band.y0 - core_.y0 + share * (band.y1 - band.y0)) / (core_.y1 - core_.y0);
-      options_.progress((before_ + picture) * each_);
-    }
-    if (n < of && watched() && sparing_.due()) resolveBand(band, core_, image_);
+    if (pilots()) return;
+    const double share = static_cast<double>(n) / of;
+    observers_.progress((band.y0 - core_.y0 + share * (band.y1 - band.y0)) / (core_.y1 - core_.y0),
+                        stats_.samples);
+    if (n < of && observers_.due()) resolveBand(band, core_, image_);
   }
 
-  Image samplesLayer(const Image& picture) const {
+  Image samplesLayer(const Image& picture, const Reached& reached) const {
     if (map_) return stats_.adaptive.samples;
     Image image = blackImage(picture.width, picture.height, {"samples"});
     for (int y = 0; y < image.height; ++y)
       for (int x = 0; x < image.width; ++x)
-        image.at(x, y, 0) =
-            static_cast<float>(stats_.reached.samplesIn(y, scene_.sampler.sampleCount));
+        image.at(x, y, 0) = static_cast<float>(reached.samplesIn(y, scene_.sampler.sampleCount));
     return image;
   }
 
@@ -206,19 +203,18 @@ class Render {
   const Scene& scene_;
   const RenderOptions& options_;
   const Crop core_;
+  Observers& observers_;
   FilmState& state_;
   Stats& stats_;
   const Rendering* picture_ = nullptr;
-  double before_ = 0.0, each_ = 1.0;  ///< pictures that are done, and the share of one
   Image image_;
   std::optional<SampleMap> map_;  ///< of adaptive sampling, once it is decided
-  Sparing sparing_{options_.watcher.share};
 };
 
 }  // namespace
 
-Image renderPictures(Passes& passes, const Film& film, std::vector<Rendering> pictures,
-                     FilmState& state, Stats& stats) {
+Rendered renderPictures(Passes& passes, const Film& film, std::vector<Rendering> pictures,
+                        FilmState& state, Stats& stats) {
   return Render(passes, film, state, stats).run(std::move(pictures));
 }
 

@@ -2,7 +2,9 @@
 #include <vector>
 
 #include "render/film_state.h"
+#include "render/observer.h"
 #include "render/passes.h"
+#include "render/rendered.h"
 #include "render/renderings.h"
 
 namespace laver {
@@ -14,12 +16,13 @@ struct Film {
   const Scene& scene;
   const RenderOptions& options;
   Crop core;  ///< the picture's pixels; with adaptive sampling the plan's are more
+  Observers& observers;
 };
 
 /// All pictures of a scene, one after the other, in one image: bands outside, passes inside. Black
-/// where options.stop leaves no time for them. The kernel of the first has been taken. Goes on from
+/// where an observer ended the render before. The kernel of the first has been taken. Goes on from
 /// the sums in `state`, and leaves there what its Keep says.
-Image renderPictures(Passes& passes, const Film& film, std::vector<Rendering> pictures,
-                     FilmState& state, Stats& stats);
+Rendered renderPictures(Passes& passes, const Film& film, std::vector<Rendering> pictures,
+                        FilmState& state, Stats& stats);
 
 }  // namespace laver

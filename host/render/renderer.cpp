@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "render/kernels.h"
+#include "render/observer.h"
 #include "render/passes.h"
 #include "render/plan.h"
 #include "render/render_pictures.h"
@@ -28,13 +29,13 @@ Renderer::Renderer(const VulkanOptions& options) : impl_(new Impl{options, {}}) 
 
 Renderer::~Renderer() = default;
 
-Image Renderer::render(const Scene& scene, const RenderOptions& options, Stats& stats) {
+Rendered Renderer::render(const Scene& scene, const RenderOptions& options, Stats& stats) {
   FilmState nothing;
   return render(scene, options, nothing, stats);
 }
 
-Image Renderer::render(const Scene& scene, const RenderOptions& options, FilmState& state,
-                       Stats& stats) {
+Rendered Renderer::render(const Scene& scene, const RenderOptions& options, FilmState& state,
+                          Stats& stats) {
   std::vector<Rendering> pictures = renderingsOf(scene, options, impl_->options.generic);
   if (impl_->options.wholeFilm)
     for (Rendering& picture : pictures) picture.blackMisses = false;
@@ -55,7 +56,9 @@ Image Renderer::render(const Scene& scene, const RenderOptions& options, FilmSta
   stats.device = device.name();
   stats.driver = device.driver();
   stats.seconds.vulkanStart = vulkan.seconds;
-  const Crop core = coreOf(scene, options);
+  Observers observers(options.observers);
+  observers.started(stats.device);
+  const Crop core = coreOf(scene.camera, options);
   const Settings settings = state.keep() == FilmState::Keep::Nothing
                                 ? Settings{}
                                 : settingsOf(scene, data, core, device.info());
@@ -65,7 +68,6 @@ Image Renderer::render(const Scene& scene, const RenderOptions& options, FilmSta
                  impl_->options.samplesInFlight);
   stats.samplesAPass = plan.samplesAPass;
   stats.samples = 0;
-  stats.reached = {};
   stats.adaptive = {options.error};
   std::optional<Passes> passes;
   {
@@ -74,10 +76,10 @@ Image Renderer::render(const Scene& scene, const RenderOptions& options, FilmSta
   }
   if (impl_->options.poisoned) passes->poison();
   passes->take(compiling.get());
-  Image image = renderPictures(*passes, {data, plan, scene, options, core}, std::move(pictures),
-                               state, stats);
+  Rendered rendered = renderPictures(*passes, {data, plan, scene, options, core, observers},
+                                     std::move(pictures), state, stats);
   vulkan.instance.throwIfInvalid();
-  return image;
+  return rendered;
 }
 
 }  // namespace laver

@@ -5,8 +5,9 @@
 
 #include "image/image.h"
 #include "render/film_state.h"
+#include "render/options.h"
+#include "render/rendered.h"
 #include "render/stats.h"
-#include "scene/render_options.h"
 #include "scene/scene.h"
 
 namespace laver {
@@ -28,15 +29,15 @@ class Renderer {
   explicit Renderer(const VulkanOptions& options);
   ~Renderer();
 
-  /// Renders the film or its crop, up to where `options.stop` ends it: stats.reached. Throws
+  /// Renders the film or its crop, up to where an observer ends it. Throws
   /// Error(Device) where no device could be started, for a limit, a lost device, or, with
   /// `validate`, the first message, and Error(Usage) for an unknown traversal. Fills `stats` but
   /// for loading and writing.
-  Image render(const Scene& scene, const RenderOptions& options, Stats& stats);
+  Rendered render(const Scene& scene, const RenderOptions& options, Stats& stats);
 
   /// The same, from the sums in `state` on, if there are some: the bits are those of a render in
   /// one go. `state` takes what its Keep says. Throws Error(Usage) as FilmState::begin does.
-  Image render(const Scene& scene, const RenderOptions& options, FilmState& state, Stats& stats);
+  Rendered render(const Scene& scene, const RenderOptions& options, FilmState& state, Stats& stats);
 
  private:
   struct Impl;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "image/image.h"
-#include "scene/render_options.h"
+#include "render/options.h"
 #include "scene/scene.h"
 #include "shared/layout.h"
 

@@ -45,7 +45,7 @@ void addCut(const Scene& scene, const RenderOptions& options, const Facts& f,
   const std::uint32_t samples = scene.sampler.sampleCount;
   const RenderPlan cut =
       planRender(device.limits, scene, options, f.constant(shared::SPEC_APRON), 0);
-  const Crop core = coreOf(scene, options);
+  const Crop core = coreOf(scene.camera, options);
   const auto rows = static_cast<std::uint32_t>(core.y1 - core.y0);
   const std::uint32_t bands = (rows + cut.bandRows - 1) / cut.bandRows;
   const std::uint32_t most = options.error == 0.0 ? samples : mostOf(scene.sampler);
@@ -140,7 +140,7 @@ ScenePlan planScene(const Scene& scene, const RenderOptions& options,
   plan.lines = {integrator(scene, pictures.size(), kernel),
                 {"traversal", chosen.traversal, chosen.why, "", 0}};
   for (Line& line : sceneLines(facts)) plan.lines.push_back(std::move(line));
-  const double seen = seenShare(data, pictures.front(), coreOf(scene, options));
+  const double seen = seenShare(data, pictures.front(), coreOf(scene.camera, options));
   plan.lines.push_back(film(pictures.front(), seen));
   plan.lines.push_back(adaptive(scene, options));
   addCut(scene, options, facts, device, plan);

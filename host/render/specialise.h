@@ -2,7 +2,7 @@
 #include <array>
 #include <cstdint>
 
-#include "scene/render_options.h"
+#include "render/options.h"
 #include "scene/scene.h"
 #include "shared/layout.h"
 

@@ -36,7 +36,6 @@ struct Stats {
   std::uint32_t passes = 0, bands = 0, samplesAPass = 0;
   std::uint64_t samples = 0, droppedSamples = 0;
   double seen = 1;  ///< share of the pixels that may see something; the others are black untraced
-  Reached reached;
   AdaptiveStats adaptive;
   std::uint64_t peakBytes = 0;  ///< of the process, the driver's memory on a CPU device included
   std::vector<std::string> leftOut;  ///< what the kernels do without, and why

@@ -136,7 +136,7 @@ DisplayServer::~DisplayServer() {
   over ? thread_.join() : thread_.detach();
 }
 
-void DisplayServer::rowsChanged(const Image& picture, int firstRow, int endRow) {
+void DisplayServer::rowsChanged(const Image& picture, int first, int end) {
   const std::lock_guard lock(state_->mutex);
   if (state_->over) return;
   Image& latest = state_->latest;
@@ -146,9 +146,9 @@ void DisplayServer::rowsChanged(const Image& picture, int firstRow, int endRow) 
   }
   const std::ptrdiff_t stride =
       picture.width * static_cast<std::ptrdiff_t>(picture.channels.size());
-  std::copy(picture.pixels.begin() + firstRow * stride, picture.pixels.begin() + endRow * stride,
-            latest.pixels.begin() + firstRow * stride);
-  std::fill(state_->waiting.begin() + firstRow, state_->waiting.begin() + endRow, true);
+  std::copy(picture.pixels.begin() + first * stride, picture.pixels.begin() + end * stride,
+            latest.pixels.begin() + first * stride);
+  std::fill(state_->waiting.begin() + first, state_->waiting.begin() + end, true);
   state_->changed.notify_all();
 }
 

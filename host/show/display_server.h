@@ -3,7 +3,7 @@
 #include <string>
 #include <thread>
 
-#include "image/image.h"
+#include "render/observer.h"
 #include "show/connection.h"
 
 namespace laver {
@@ -11,18 +11,19 @@ namespace laver {
 /// Shows a growing picture in tev or HDRView, from a thread of its own. The newest values of all
 /// rows are kept, and a row that changes again before it was sent is sent once: nobody waits for a
 /// viewer. A viewer that cannot be reached or goes away costs one line on stderr.
-class DisplayServer {
+class DisplayServer : public Observer {
  public:
   /// `name` is what the viewer calls the picture.
   DisplayServer(ViewerAddress address, std::string name);
   /// Waits for the viewer to take what it has not: until it has taken nothing for 1 s, 10 s at
   /// most.
-  ~DisplayServer();
+  ~DisplayServer() override;
   DisplayServer(const DisplayServer&) = delete;
   DisplayServer& operator=(const DisplayServer&) = delete;
 
-  /// Takes rows [firstRow, endRow) of the picture, whose size and channels stay the same.
-  void rowsChanged(const Image& picture, int firstRow, int endRow);
+  /// The picture's size and channels stay the same.
+  void rowsChanged(const Image& picture, int first, int end) override;
+  double timeShare() const override { return 0.01; }
 
  private:
   struct State;

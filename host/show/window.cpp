@@ -11,7 +11,7 @@
 #include <memory>
 
 #include "core/error.h"
-#include "core/sparing.h"
+#include "core/throttle.h"
 #include "show/image_view.h"
 #include "show/panels.h"
 
@@ -202,7 +202,7 @@ class Window {
   int frames_ = kFramesAnEvent;  ///< to draw at once
   std::uint64_t changes_ = 0;    ///< of the contents as they were drawn
   double seconds_ = 0.0;
-  Sparing growing_{kShare};
+  Throttle growing_{kShare};
 };
 
 }  // namespace

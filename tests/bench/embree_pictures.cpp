@@ -37,7 +37,7 @@ TEST_F(EmbreePictures, ShowTheReferencesSamplesOfEverySampler) {
             embree(name, std::string("--sampler ") + sampler + " --spp " + std::to_string(samples));
         const Scene scene = sampledBy(name, *samplerFromName(sampler), samples);
         const Reference reference(scene);
-        const Image truth = reference.render();
+        const Image truth = reference.render().image;
         const chart::Mismatches found = chart::mismatchesOf(picture, truth, scene, reference, 0);
         // kMismatch has its reason in chart/errors.h; beyond it pixels have samples at edges. One
         // sample, which reaches 25 pixels, may differ: up to 6 pixels were seen on the bunny. The
@@ -52,7 +52,7 @@ TEST_F(EmbreePictures, OtherSamplesAreSeen) {
   const Image picture = embree("cornell-two-lights.xml", "--sampler sobol --spp 16");
   const auto errorTo = [&](Sampler::Kind sampler) {
     const Scene scene = sampledBy("cornell-two-lights.xml", sampler, 16);
-    return chart::errorsOf(picture, Reference(scene).render()).rmse;
+    return chart::errorsOf(picture, Reference(scene).render().image).rmse;
   };
   EXPECT_GT(errorTo(Sampler::Kind::Stratified), 100.0 * errorTo(Sampler::Kind::Sobol));
 }

@@ -14,7 +14,7 @@ LaverRender renderWithLaver(const Scene& scene, unsigned threads, const std::str
   vulkan.traversal = traversal;
   vulkan.wholeFilm = everyRay;
   LaverRender out;
-  out.image = Renderer(vulkan).render(scene, {}, out.stats);
+  out.image = Renderer(vulkan).render(scene, {}, out.stats).image;
   return out;
 }
 

@@ -142,13 +142,14 @@ TEST(Adaptive, StopsBetweenPassesAndWhileItDecides) {
   vulkan.samplesInFlight = std::uint64_t{128} * 96 * 16;  // rows are stored in columns of 64
   for (const int passes : {2, kPilots + 1}) {
     RenderOptions options = adaptive();
-    options.stop = [left = int{passes}]() mutable { return left-- == 0; };
+    StopAfter stop(passes);
+    options.observers = {&stop};
     Stats stats;
-    const Image image = Renderer(vulkan).render(scene, options, stats);
+    const auto [image, reached, dropped] = Renderer(vulkan).render(scene, options, stats);
     const bool decided = passes > kPilots;
-    EXPECT_EQ(stats.reached.rows, decided ? 96 : 0);
-    EXPECT_EQ(stats.reached.wholeRows, 0);
-    EXPECT_EQ(stats.reached.samples, decided ? 16U : 0U);
+    EXPECT_EQ(reached.rows, decided ? 96 : 0);
+    EXPECT_EQ(reached.wholeRows, 0);
+    EXPECT_EQ(reached.samples, decided ? 16U : 0U);
     EXPECT_EQ(image.at(48, 80, 0) > 0.0F, decided);
     for (const float v : image.pixels) ASSERT_TRUE(std::isfinite(v));
   }

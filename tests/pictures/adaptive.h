@@ -24,9 +24,9 @@ struct Adaptive {
 inline Adaptive renderTo(const Scene& scene, const RenderOptions& options,
                          const VulkanOptions& vulkan = cpuDevice()) {
   Stats stats;
-  Image image = Renderer(vulkan).render(scene, options, stats);
-  EXPECT_EQ(stats.reached.wholeRows, image.height);
-  return {std::move(image), std::move(stats.adaptive)};
+  Rendered rendered = Renderer(vulkan).render(scene, options, stats);
+  EXPECT_TRUE(rendered.whole());
+  return {std::move(rendered.image), std::move(stats.adaptive)};
 }
 
 }  // namespace laver::test

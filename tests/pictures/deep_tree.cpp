@@ -27,10 +27,10 @@ Scene cone() {
 
 TEST(DeepTree, KernelsAreCompiledAnewForItsStack) {
   const Scene scene = cone();
-  const Image truth = Reference(scene).render();
+  const Image truth = Reference(scene).render().image;
   for (const char* traversal : kTraversals) {
     Stats stats;
-    const Image image = Renderer(cpuDevice(traversal)).render(scene, {}, stats);
+    const Image image = Renderer(cpuDevice(traversal)).render(scene, {}, stats).image;
     EXPECT_GT(stats.stack, specialise(scene, {})[shared::SPEC_STACK]);
     // All rays meet the smallest triangle at depth 5: nothing here is near an edge.
     for (std::size_t i = 0; i < truth.pixels.size(); ++i)

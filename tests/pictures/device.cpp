@@ -80,7 +80,7 @@ TEST(Device, APacketThatMeetsTooMuchIsTracedRayByRay) {
   for (const Integrator shown : {Integrator::DirectWhitted, Integrator::Depth}) {
     scene.integrator = shown;
     stats = {};
-    const Image image = Renderer(cpuDevice("packet64")).render(scene, {}, stats);
+    const Image image = Renderer(cpuDevice("packet64")).render(scene, {}, stats).image;
     EXPECT_EQ(stats.traversal, "lane");
     EXPECT_EQ(differingFloats(image, render(scene, cpuDevice("lane"))), 0U);
     if (shown == Integrator::Depth) {

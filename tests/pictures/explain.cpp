@@ -93,7 +93,7 @@ void expectTraversalsMatch(const Scene& scene, double tolerance) {
   const Image image = render(scene);
   expectSameByAll(image, scene);
   const Reference reference(scene);
-  const Explanation e = explain(image, reference.render(), scene, reference, tolerance);
+  const Explanation e = explain(image, reference.render().image, scene, reference, tolerance);
   EXPECT_EQ(e.unexplained, 0) << e.first;
   EXPECT_LT(e.differing, image.width * image.height / 50);
 }

@@ -3,7 +3,7 @@
 
 #include "image/image.h"
 #include "reference/reference.h"
-#include "scene/render_options.h"
+#include "render/options.h"
 
 namespace laver::test {
 

@@ -8,9 +8,11 @@
 #include <filesystem>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "core/error.h"
 #include "image/image.h"
+#include "render/observer.h"
 #include "render/renderer.h"
 #include "scene/scene.h"
 
@@ -49,10 +51,23 @@ inline Scene smallScene(const std::string& name, int width, std::uint32_t sample
 inline Image render(const Scene& scene, const VulkanOptions& vulkan = cpuDevice(),
                     const RenderOptions& options = {}) {
   Stats stats;
-  Image image = Renderer(vulkan).render(scene, options, stats);
-  EXPECT_EQ(stats.droppedSamples, 0U) << scene.file;
-  return image;
+  Rendered rendered = Renderer(vulkan).render(scene, options, stats);
+  EXPECT_EQ(rendered.droppedSamples, 0U) << scene.file;
+  return std::move(rendered.image);
 }
+
+/// Ends a render after some passes.
+class StopAfter : public Observer {
+ public:
+  explicit StopAfter(int passes) : left_(passes) {}
+
+  bool stop() override { return left_-- == 0; }
+  /// Options with this observer, which must outlive them.
+  RenderOptions options() { return {.observers = {this}}; }
+
+ private:
+  int left_;
+};
 
 /// A closed ball of about unit radius with bumps of height `bump`; its rings begin at the poles.
 inline Mesh ball(unsigned rings, unsigned segments, double bump, glm::dvec3 centre) {

@@ -158,13 +158,6 @@ TEST_F(Interruption, AnIgnoredSignalStaysIgnored) {
   EXPECT_TRUE(fs::exists(path("a.exr")));
 }
 
-/// A stop that lets `passes` passes run.
-RenderOptions stopAfter(int passes) {
-  RenderOptions options;
-  options.stop = [passes]() mutable { return passes-- == 0; };
-  return options;
-}
-
 /// Rows of `image` from the top that equal those of `whole` bit for bit.
 int equalRows(const Image& image, const Image& whole) {
   const auto [here, there] =
@@ -176,23 +169,22 @@ TEST(Stop, LeavesBothRenderersWithTheSamePartOfTheSamples) {
   // The reference takes 2^18 samples at once: 64 a pixel of 64 x 64.
   const Scene scene = smallScene("cornell-two-lights.xml", 64, 192);
   ASSERT_EQ(scene.camera.height, 64);
-  std::uint64_t dropped = 0;
-  Reached reached;
-  const Image reference = Reference(scene).render(stopAfter(2), dropped, reached);
-  EXPECT_EQ(reached.samples, 128U);
-  EXPECT_EQ(reached.rows, 64);
-  EXPECT_EQ(reached.wholeRows, 0);
+  const Rendered reference = Reference(scene).render(StopAfter(2).options());
+  EXPECT_EQ(reference.reached.samples, 128U);
+  EXPECT_EQ(reference.reached.rows, 64);
+  EXPECT_EQ(reference.reached.wholeRows, 0);
 
   VulkanOptions vulkan = cpuDevice();
   vulkan.samplesInFlight = 131072;  // 32 a pixel
   Stats stats;
-  const Image image = Renderer(vulkan).render(scene, stopAfter(4), stats);
-  EXPECT_EQ(stats.reached.samples, 128U);
-  EXPECT_EQ(stats.reached.rows, 64);
-  EXPECT_EQ(stats.reached.wholeRows, 0);
+  const auto [image, reached, dropped] =
+      Renderer(vulkan).render(scene, StopAfter(4).options(), stats);
+  EXPECT_EQ(reached.samples, 128U);
+  EXPECT_EQ(reached.rows, 64);
+  EXPECT_EQ(reached.wholeRows, 0);
   EXPECT_EQ(stats.samples, 64U * 64U * 128U);
   for (std::size_t i = 0; i < image.pixels.size(); ++i)
-    ASSERT_NEAR(image.pixels[i], reference.pixels[i], 1e-3F) << i;
+    ASSERT_NEAR(image.pixels[i], reference.image.pixels[i], 1e-3F) << i;
 }
 
 TEST(Stop, LeavesVulkansBandsWholeOrPartOrBlack) {
@@ -201,18 +193,16 @@ TEST(Stop, LeavesVulkansBandsWholeOrPartOrBlack) {
   vulkan.samplesInFlight = 10240;  // bands of some rows, eight samples a pass
   Renderer renderer(vulkan);
   Stats all;
-  const Image whole = renderer.render(scene, {}, all);
+  const Image whole = renderer.render(scene, {}, all).image;
   ASSERT_GT(all.bands, 2U);
   EXPECT_EQ(all.passes, 4 * all.bands);
-  EXPECT_EQ(all.reached.wholeRows, 64);
   for (const int passes : {0, 1, 4, 6, static_cast<int>(all.passes)}) {
     Stats stats;
-    const Image image = renderer.render(scene, stopAfter(passes), stats);
+    const auto [image, r, dropped] = renderer.render(scene, StopAfter(passes).options(), stats);
     EXPECT_EQ(stats.passes, static_cast<unsigned>(passes));
-    EXPECT_EQ(stats.reached.samples, passes == 0 ? 0U : passes == 6 ? 16U : passes == 1 ? 8U : 32U);
+    EXPECT_EQ(r.samples, passes == 0 ? 0U : passes == 6 ? 16U : passes == 1 ? 8U : 32U);
     const int bands = (passes + 3) / 4;
     EXPECT_EQ(stats.bands, static_cast<unsigned>(bands));
-    const Reached& r = stats.reached;
     EXPECT_EQ(r.rows == 0, passes == 0);
     EXPECT_EQ(r.rows == 64, stats.passes == all.passes);
     EXPECT_EQ(r.wholeRows < r.rows, passes % 4 != 0);
@@ -232,19 +222,17 @@ TEST(Stop, LeavesTheReferencesBandsWholeOrBlack) {
   scene.camera.width = 16400;
   scene.camera.height = 18;
   const Reference reference(scene);
-  const Image whole = reference.render();
-  std::uint64_t dropped = 0;
-  Reached reached;
-  Image image = reference.render(stopAfter(1), dropped, reached);
+  const Image whole = reference.render().image;
+  const auto [image, reached, dropped] = reference.render(StopAfter(1).options());
   EXPECT_EQ(reached.samples, 1U);
   EXPECT_EQ(reached.rows, 16);
   EXPECT_EQ(reached.wholeRows, 16);
   EXPECT_GE(equalRows(image, whole), 16);
   for (int y = 16; y < 18; ++y)
     for (int x = 0; x < 16400; ++x) ASSERT_EQ(image.at(x, y, 0), 0.0F);
-  image = reference.render(stopAfter(0), dropped, reached);
-  EXPECT_EQ(reached.rows, 0);
-  EXPECT_EQ(image.pixels, std::vector<float>(image.pixels.size(), 0.0F));
+  const Rendered none = reference.render(StopAfter(0).options());
+  EXPECT_EQ(none.reached.rows, 0);
+  EXPECT_EQ(none.image.pixels, std::vector<float>(image.pixels.size(), 0.0F));
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ void expectLayersOfTheReference(const Scene& scene) {
   const RenderOptions options = allLayers();
   const Image image = render(scene, cpuDevice(), options);
   const Reference reference(scene);
-  const Image truth = reference.render(options);
+  const Image truth = reference.render(options).image;
   const double moved = movedBy(scene, reference);
   ASSERT_EQ(image.channels, truth.channels);
   const std::vector<std::string> means = {"N.X", "N.Y", "N.Z", "Albedo.R", "Albedo.G", "Albedo.B"};
@@ -212,11 +212,12 @@ TEST(Layers, OfAStoppedRenderAreCounted) {
   ASSERT_GT(picture, 2);
   for (const int passes : {picture - 1, picture, picture + 1}) {
     RenderOptions options = allLayers();
-    options.stop = [left = passes]() mutable { return left-- <= 0; };
+    StopAfter stop(passes);
+    options.observers = {&stop};
     Stats stats;
-    const Image image = Renderer(vulkan).render(scene, options, stats);
-    EXPECT_EQ(stats.reached.wholeRows == 64, passes >= picture);
-    EXPECT_EQ(stats.reached.unfinished, 3);  // normals, albedo, and what lies at centres
+    const auto [image, reached, dropped] = Renderer(vulkan).render(scene, options, stats);
+    EXPECT_EQ(reached.wholeRows == 64, passes >= picture);
+    EXPECT_EQ(reached.unfinished, 3);  // normals, albedo, and what lies at centres
     const Image samples = channelsOf(image, {"samples"});
     EXPECT_EQ(samples.at(0, 0, 0), 8.0F);
     EXPECT_EQ(samples.at(0, 63, 0) == 8.0F, passes >= picture);

@@ -26,12 +26,6 @@ VulkanOptions inPieces(const char* traversal) {
   return vulkan;
 }
 
-RenderOptions stopAfter(int passes) {
-  RenderOptions options;
-  options.stop = [passes]() mutable { return passes-- == 0; };
-  return options;
-}
-
 /// As a file keeps it.
 FilmState throughAFile(const FilmState& state, const std::string& file) {
   writeState(file, state, 1);
@@ -45,9 +39,9 @@ class Resume : public CommandLine {
                   Keep keep) {
     FilmState state(keep);
     Stats stats;
-    renderer.render(first, stopAfter(passes), state, stats);
+    renderer.render(first, StopAfter(passes).options(), state, stats);
     FilmState read = state.empty() ? FilmState(Keep::Always) : throughAFile(state, path("s.exr"));
-    return renderer.render(then, {}, read, stats);
+    return renderer.render(then, {}, read, stats).image;
   }
 };
 
@@ -58,7 +52,7 @@ TEST_F(Resume, AfterAnInterruptionAnywhereByLaneAndPackets) {
     Renderer renderer(inPieces(traversal));
     const Scene scene = sceneOf(kind, 16);
     Stats stats;
-    const Image whole = renderer.render(scene, {}, stats);
+    const Image whole = renderer.render(scene, {}, stats).image;
     ASSERT_GT(stats.bands, 2U);
     for (const int passes : {0, 3, 4, 6, static_cast<int>(stats.passes) - 1})
       EXPECT_EQ(differingFloats(whole, inTwoGoes(renderer, scene, scene, passes, Keep::WhenEnded)),
@@ -74,7 +68,7 @@ TEST_F(Resume, SobolGoesOnBeyondTheCountItWasBegunWith) {
     Renderer renderer(inPieces(traversal));
     const Scene many = sceneOf(Kind::Sobol, 64);
     Stats stats;
-    const Image whole = renderer.render(many, {}, stats);
+    const Image whole = renderer.render(many, {}, stats).image;
     for (const int passes : {3, 1000})
       EXPECT_EQ(differingFloats(whole, inTwoGoes(renderer, sceneOf(Kind::Sobol, few), many, passes,
                                                  Keep::Always)),
@@ -87,10 +81,10 @@ TEST_F(Resume, IsTheSameInOneBand) {
   Renderer pieces(inPieces("packet")), one(cpuDevice());
   const Scene scene = sceneOf(Kind::Sobol, 24);
   Stats stats;
-  const Image whole = one.render(scene, {}, stats);
+  const Image whole = one.render(scene, {}, stats).image;
   FilmState state(Keep::Always);
-  pieces.render(sceneOf(Kind::Sobol, 16), stopAfter(7), state, stats);
-  EXPECT_EQ(differingFloats(whole, one.render(scene, {}, state, stats)), 0U);
+  pieces.render(sceneOf(Kind::Sobol, 16), StopAfter(7).options(), state, stats);
+  EXPECT_EQ(differingFloats(whole, one.render(scene, {}, state, stats).image), 0U);
 }
 
 TEST_F(Resume, AnEndedOneIsThePictureOfBothGoes) {
@@ -98,11 +92,12 @@ TEST_F(Resume, AnEndedOneIsThePictureOfBothGoes) {
   Renderer renderer(inPieces("packet"));
   FilmState state(Keep::Always);
   Stats stats;
-  const Image before = renderer.render(sceneOf(Kind::Sobol, 16), {}, state, stats);
-  const Image after = renderer.render(sceneOf(Kind::Sobol, 64), stopAfter(13), state, stats);
-  EXPECT_EQ(stats.reached.rows, 64);
-  EXPECT_GT(stats.reached.wholeRows, 0);
-  EXPECT_EQ(stats.reached.samples, 16U);
+  const Image before = renderer.render(sceneOf(Kind::Sobol, 16), {}, state, stats).image;
+  const auto [after, reached, dropped] =
+      renderer.render(sceneOf(Kind::Sobol, 64), StopAfter(13).options(), state, stats);
+  EXPECT_EQ(reached.rows, 64);
+  EXPECT_GT(reached.wholeRows, 0);
+  EXPECT_EQ(reached.samples, 16U);
   const std::size_t last = after.pixels.size() - std::size_t{3} * 64;
   EXPECT_TRUE(std::equal(after.pixels.begin() + static_cast<std::ptrdiff_t>(last),
                          after.pixels.end(),
@@ -169,7 +164,7 @@ TEST_F(Resume, AnotherSceneOrCountIsRefused) {
   Stats stats;
   const auto reasonOf = [&](const Scene& first, const Scene& then, Keep keep) {
     FilmState state(keep);
-    renderer.render(first, stopAfter(6), state, stats);
+    renderer.render(first, StopAfter(6).options(), state, stats);
     try {
       renderer.render(then, {}, state, stats);
     } catch (const Error& error) {

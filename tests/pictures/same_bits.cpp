@@ -37,7 +37,7 @@ TEST(SameBits, OtherBandsAndPasses) {
     VulkanOptions vulkan = cpuDevice();
     vulkan.samplesInFlight = slots;
     Stats stats;
-    const Image cut = Renderer(vulkan).render(scene, {}, stats);
+    const Image cut = Renderer(vulkan).render(scene, {}, stats).image;
     EXPECT_GT(stats.passes, 1U);
     EXPECT_EQ(differingFloats(whole, cut), 0U) << slots;
   }
@@ -92,7 +92,7 @@ TEST(SameBits, TheWholeFilmOrWhatSeesSomething) {
     VulkanOptions vulkan = cpuDevice();
     vulkan.poisoned = true;
     Stats stats;
-    const Image image = Renderer(vulkan).render(scene, options, stats);
+    const Image image = Renderer(vulkan).render(scene, options, stats).image;
     less += stats.seen < 0.9 ? 1 : 0;
     EXPECT_EQ(differingFloats(image, render(scene, whole, options)), 0U) << scene.file;
   }

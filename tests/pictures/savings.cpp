@@ -80,7 +80,7 @@ TEST(WithoutALight, NoTreeIsUploadedAndThePictureIsBlack) {
   Scene scene = smallScene("cornell-two-lights.xml", 16, 1);
   scene.lights.clear();
   Stats stats;
-  const Image image = Renderer(cpuDevice()).render(scene, {}, stats);
+  const Image image = Renderer(cpuDevice()).render(scene, {}, stats).image;
   EXPECT_EQ(stats.triangles, 0U);
   EXPECT_EQ(stats.attributeBytes, 0U);
   for (const float value : image.pixels) EXPECT_EQ(value, 0.0F);

@@ -24,7 +24,7 @@ void expectMatch(const Scene& scene, bool noriCompat = false) {
   options.noriCompat = noriCompat;
   const Image image = render(scene, cpuDevice(), options);
   const Reference reference(scene);
-  const Image truth = reference.render(options);
+  const Image truth = reference.render(options).image;
   const Explanation e = explain(image, truth, scene, reference, kTolerance);
   EXPECT_EQ(e.unexplained, 0) << e.first;
   EXPECT_LT(e.differing, image.width * image.height / 50);
@@ -148,7 +148,7 @@ TEST(Scenes, ADifferenceThatNoDecisionExplainsIsFound) {
   // The explanation must be able to fail: brighten one pixel in the middle of a wall.
   const Scene scene = smallScene("cornell-two-lights.xml", 64, 2);
   const Reference reference(scene);
-  const Image truth = reference.render();
+  const Image truth = reference.render().image;
   Image wrong = truth;
   int changed = 0;
   for (int y = 0; y < 64 && changed == 0; ++y)

@@ -31,7 +31,7 @@ TEST_P(Shadows, NoFacetShadesItselfOrItsNeighbour) {
     const Scene scene = litBall(bump, GetParam());
     const Image image = render(scene);
     const Reference reference(scene);
-    const Image truth = reference.render();
+    const Image truth = reference.render().image;
     const auto lit =
         std::count_if(truth.pixels.begin(), truth.pixels.end(), [](float v) { return v > 0.05F; });
     EXPECT_GT(lit, 20000);

@@ -52,7 +52,7 @@ void expectMatch(const Scene& scene, bool alsoGeneric = false) {
     EXPECT_EQ(differingFloats(image, render(scene, generic)), 0U);
   }
   const Reference reference(scene);
-  const Image truth = reference.render();
+  const Image truth = reference.render().image;
   const Explanation e = explain(image, truth, scene, reference, 1e-4);
   EXPECT_EQ(e.unexplained, 0) << e.first;
   EXPECT_LT(e.differing, image.width * image.height / 50);
@@ -159,7 +159,7 @@ TEST(Spheres, AChartTellsMismatchesOnThem) {
   scene.meshes = {sphere(glm::dvec3(0.2, 0.1, 0.0), 2.0, 0.0)};
   scene.camera.width = scene.camera.height = 12;
   const Reference reference(scene);
-  const Image truth = reference.render();
+  const Image truth = reference.render().image;
   EXPECT_EQ(chart::mismatchesOf(truth, truth, scene, reference, 0).pixels, 0U);
   Image image = truth;
   image.at(6, 7, 0) *= 1.1F;

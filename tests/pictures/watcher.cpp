@@ -11,23 +11,21 @@
 namespace laver::test {
 namespace {
 
-/// Keeps what it is told.
-struct Seen {
+/// Keeps the rows that it is shown, whenever they change.
+struct Seen : Observer {
   Image picture;
   int calls = 0;
 
-  RenderOptions options() {
-    RenderOptions watched;
-    watched.watcher.share = std::numeric_limits<double>::infinity();  // whenever there is news
-    watched.watcher.rowsChanged = [this](const Image& now, int firstRow, int endRow) {
-      if (calls++ == 0) picture = rgbImage(now.width, now.height);
-      ASSERT_TRUE(0 <= firstRow && firstRow < endRow && endRow <= now.height);
-      for (int y = firstRow; y < endRow; ++y)
-        for (int x = 0; x < now.width; ++x)
-          for (std::size_t c = 0; c < 3; ++c) picture.at(x, y, c) = now.at(x, y, c);
-    };
-    return watched;
+  void rowsChanged(const Image& now, int first, int end) override {
+    if (calls++ == 0) picture = rgbImage(now.width, now.height);
+    ASSERT_TRUE(0 <= first && first < end && end <= now.height);
+    for (int y = first; y < end; ++y)
+      for (int x = 0; x < now.width; ++x)
+        for (std::size_t c = 0; c < 3; ++c) picture.at(x, y, c) = now.at(x, y, c);
   }
+  double timeShare() const override { return std::numeric_limits<double>::infinity(); }
+
+  RenderOptions options() { return {.observers = {this}}; }
 };
 
 TEST(Watcher, SeesEveryPassAndInTheEndThePicture) {
@@ -36,7 +34,7 @@ TEST(Watcher, SeesEveryPassAndInTheEndThePicture) {
   vulkan.samplesInFlight = 10240;  // bands of some rows, eight samples a pass
   Stats stats;
   Seen seen;
-  const Image image = Renderer(vulkan).render(scene, seen.options(), stats);
+  const Image image = Renderer(vulkan).render(scene, seen.options(), stats).image;
   EXPECT_EQ(stats.passes, 4 * stats.bands);
   EXPECT_EQ(seen.calls, static_cast<int>(stats.passes));
   EXPECT_EQ(differingFloats(seen.picture, image), 0U);
@@ -64,9 +62,9 @@ TEST(Watcher, SeesTheReferenceToo) {
   Seen seen;
   RenderOptions options = seen.options();
   options.layers = {Layer::Normals};
-  const Image image = Reference(scene).render(options);
+  const Image image = Reference(scene).render(options).image;
   EXPECT_EQ(seen.calls, 3);
-  EXPECT_EQ(differingFloats(seen.picture, Reference(scene).render()), 0U);
+  EXPECT_EQ(differingFloats(seen.picture, Reference(scene).render().image), 0U);
 }
 
 TEST(Watcher, SeesWhatAStoppedRenderLeaves) {
@@ -75,9 +73,10 @@ TEST(Watcher, SeesWhatAStoppedRenderLeaves) {
   vulkan.samplesInFlight = 5120;
   Seen seen;
   RenderOptions options = seen.options();
-  options.stop = [left = 6]() mutable { return left-- == 0; };
+  StopAfter stop(6);
+  options.observers.push_back(&stop);
   Stats stats;
-  const Image image = Renderer(vulkan).render(scene, options, stats);
+  const Image image = Renderer(vulkan).render(scene, options, stats).image;
   EXPECT_EQ(differingFloats(seen.picture, image), 0U);
 }
 

@@ -73,7 +73,7 @@ std::uint64_t otherBits(const std::string& traversal) {
   VulkanOptions pieces = vulkan;
   pieces.samplesInFlight = 1000;
   Stats stats;
-  differ += test::differingFloats(whole, Renderer(pieces).render(scene, {}, stats));
+  differ += test::differingFloats(whole, Renderer(pieces).render(scene, {}, stats).image);
   EXPECT_GT(stats.passes, 10U);
   RenderOptions cropped;
   cropped.threads = 1;

@@ -65,7 +65,7 @@ LAVER_STABILITY(11, Lights, "A light at height 1 to 0, on and behind the surface
       vulkan.device = testDevice();
       vulkan.traversal = traversal;
       Stats stats;
-      const Image image = Renderer(vulkan).render(scene, {}, stats);
+      const Image image = Renderer(vulkan).render(scene, {}, stats).image;
       const Reference reference(scene);
       notFinite += stats.droppedSamples;
       naive += naiveNotFinite(scene, reference);

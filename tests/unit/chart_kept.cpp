@@ -117,7 +117,7 @@ TEST_F(ChartTruth, IsNearTheConvergedPictureByEachFilter) {
     Scene scene = scene_;
     scene.filter = filters_[f];
     scene.sampler.sampleCount = 4096;
-    const Image image = Reference(scene).render();
+    const Image image = Reference(scene).render().image;
     const double off = errorsOf(truths[f].image, image).rmse;
     EXPECT_GT(truths[f].band, 0.0);
     // Independent samples err by 0.5 / sqrt(4096) at an edge, a third of the film's pixels.

@@ -77,7 +77,7 @@ class ReferenceRender : public testing::TestWithParam<FilterCase> {
 TEST_P(ReferenceRender, PixelsFollowTheDefinition) {
   const Scene scene = this->scene(2);
   const Reference renderer(scene);
-  const Image image = renderer.render(options());
+  const Image image = renderer.render(options()).image;
   const glm::ivec2 pixels[] = {{0, 0}, {69, 69}, {31, 32}, {20, 40}, {17, 33}, {60, 30}};
   for (const glm::ivec2 p : pixels) {
     const glm::vec3 expected = pixelByDefinition(scene, renderer, p.x, p.y, GetParam().noriCompat);
@@ -90,11 +90,11 @@ TEST_P(ReferenceRender, PixelsFollowTheDefinition) {
 TEST_P(ReferenceRender, CropEqualsFull) {
   const Scene scene = this->scene(3);
   const Reference renderer(scene);
-  const Image full = renderer.render(options());
+  const Image full = renderer.render(options()).image;
   for (const Crop crop : {Crop{20, 25, 40, 44}, Crop{0, 0, 5, 70}, Crop{69, 69, 70, 70}}) {
     RenderOptions cropped = options();
     cropped.crop = crop;
-    expectSamePixels(renderer.render(cropped), full, crop);
+    expectSamePixels(renderer.render(cropped).image, full, crop);
   }
 }
 
@@ -103,14 +103,15 @@ TEST_P(ReferenceRender, ThreadsDoNotMatter) {
   RenderOptions one = options(), two = options();
   one.threads = 1;
   two.threads = 2;
-  EXPECT_EQ(Reference(scene, 1).render(one).pixels, Reference(scene, 2).render(two).pixels);
+  EXPECT_EQ(Reference(scene, 1).render(one).image.pixels,
+            Reference(scene, 2).render(two).image.pixels);
 }
 
 TEST_P(ReferenceRender, FlatFieldIsExactlyOne) {
   Scene scene = this->scene(2);
   scene.integrator = Integrator::Normals;
   scene.meshes = {test::square(10, 0)};
-  const Image image = Reference(scene).render(options());
+  const Image image = Reference(scene).render(options()).image;
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
       ASSERT_EQ(image.at(x, y, 2), 1.0f) << x << ' ' << y;
@@ -135,11 +136,11 @@ TEST(ReferenceFilm, BandsDoNotShow) {
   scene.camera.height = 37;
   scene.camera.fov = 175;
   const Reference renderer(scene);
-  const Image full = renderer.render();
+  const Image full = renderer.render().image;
   const Crop crop{8000, 9, 8500, 24};
   RenderOptions options;
   options.crop = crop;
-  const Image part = renderer.render(options);
+  const Image part = renderer.render(options).image;
   EXPECT_GT(*std::max_element(part.pixels.begin(), part.pixels.end()), 0.5f);
   expectSamePixels(part, full, crop);
 }
@@ -149,7 +150,7 @@ TEST(ReferenceFilm, BatchesOfSamplesDoNotShow) {
   Scene scene = bumpyScene(Filter::Kind::Tent, 1.0, 4000);
   scene.camera.width = scene.camera.height = 12;
   const Reference renderer(scene);
-  const Image image = renderer.render();
+  const Image image = renderer.render().image;
   const glm::vec3 expected = pixelByDefinition(scene, renderer, 4, 5, false);
   EXPECT_EQ(image.at(4, 5, 0), expected.x);
   EXPECT_EQ(image.at(4, 5, 2), expected.z);
@@ -159,7 +160,7 @@ TEST(ReferenceFilm, UnusableSamplesAreDroppedWithTheirWeight) {
   Scene scene = bumpyScene(Filter::Kind::Gaussian, 2.0, 2);
   scene.meshes = {test::square(10, 0)};
   scene.meshes[0].bsdf.albedo = glm::dvec3(1);
-  const Image clean = Reference(scene).render();
+  const Image clean = Reference(scene).render().image;
   for (const double bad :
        {-1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
     // The second light reaches only what lies to the right: its plane bounds the bad samples.
@@ -170,12 +171,10 @@ TEST(ReferenceFilm, UnusableSamplesAreDroppedWithTheirWeight) {
     broken.meshes.push_back(wall);
     scene.meshes.resize(1);
     scene.meshes.push_back(wall);
-    const Image expected = Reference(scene).render();
+    const Image expected = Reference(scene).render().image;
     broken.lights.push_back({{5, 0, 1}, glm::dvec3(0, bad * 1e9, 0)});
     const Reference renderer(broken);
-    std::uint64_t dropped = 0;
-    Reached reached;
-    const Image image = renderer.render({}, dropped, reached);
+    const auto [image, reached, dropped] = renderer.render();
     std::uint64_t count = 0;
     for (int y = 0; y < 70; ++y) {
       for (int x = 0; x < 70; ++x) {
@@ -190,10 +189,9 @@ TEST(ReferenceFilm, UnusableSamplesAreDroppedWithTheirWeight) {
     EXPECT_LT(dropped, 5600u);
     RenderOptions cropped;
     cropped.crop = Crop{0, 0, 40, 70};
-    std::uint64_t left = 0, right = 0;
-    renderer.render(cropped, left, reached);
+    const std::uint64_t left = renderer.render(cropped).droppedSamples;
     cropped.crop = Crop{40, 0, 70, 70};
-    renderer.render(cropped, right, reached);
+    const std::uint64_t right = renderer.render(cropped).droppedSamples;
     EXPECT_EQ(left + right, dropped);
     for (std::size_t c = 0; c < 3; ++c) {
       EXPECT_EQ(image.at(60, 35, c), 0.0f);
@@ -201,21 +199,18 @@ TEST(ReferenceFilm, UnusableSamplesAreDroppedWithTheirWeight) {
       EXPECT_GE(image.at(35, 35, c), 0.0f);
     }
   }
-  std::uint64_t dropped = 1;
-  Reached reached;
-  Reference(scene).render({}, dropped, reached);
-  EXPECT_EQ(dropped, 0u);
+  EXPECT_EQ(Reference(scene).render().droppedSamples, 0u);
 }
 
 TEST(ReferenceFilm, NoSamplesAreBlack) {
   const Scene scene = bumpyScene(Filter::Kind::Gaussian, 2.0, 0);
-  for (const float value : Reference(scene).render().pixels) ASSERT_EQ(value, 0.0f);
+  for (const float value : Reference(scene).render().image.pixels) ASSERT_EQ(value, 0.0f);
 }
 
 TEST(ReferenceFilm, EmptySceneIsBlack) {
   Scene scene = bumpyScene(Filter::Kind::Gaussian, 2.0, 1);
   scene.meshes.clear();
-  for (const float value : Reference(scene).render().pixels) ASSERT_EQ(value, 0.0f);
+  for (const float value : Reference(scene).render().image.pixels) ASSERT_EQ(value, 0.0f);
 }
 
 TEST(ReferenceFilm, RefusesCropsOutsideTheFilm) {
@@ -238,10 +233,15 @@ TEST(ReferenceFilm, ProgressRisesToOne) {
   Scene scene = bumpyScene(Filter::Kind::Box, 0.5, 1);
   scene.camera.width = 9000;
   scene.camera.height = 64;
-  std::vector<double> shares{0.0};
+  struct : Observer {
+    std::vector<double> shares{0.0};
+    void progress(double share, std::uint64_t /*samples*/) override { shares.push_back(share); }
+  } seen;
   RenderOptions options;
-  options.progress = [&](double share) { shares.push_back(share); };
+  options.more = {Integrator::Depth};
+  options.observers = {&seen};
   Reference(scene).render(options);
+  const std::vector<double>& shares = seen.shares;
   EXPECT_GT(shares.size(), 2u);
   for (std::size_t i = 1; i < shares.size(); ++i) EXPECT_GT(shares[i], shares[i - 1]);
   EXPECT_EQ(shares.back(), 1.0);

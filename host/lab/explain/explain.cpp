@@ -53,7 +53,7 @@ class Comparison {
     Renderer renderer(vulkan);
     const auto render = [&](const Scene& s) {
       Stats stats;
-      return renderer.render(s, {}, stats);
+      return renderer.render(s, {}, stats).image;
     };
     ids_ = render(numbered(oneSample(scene, Integrator::Normals)));
     depth_ = render(oneSample(scene, Integrator::Depth));
