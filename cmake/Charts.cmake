@@ -1,9 +1,6 @@
-# The target chart: speed against accuracy of two scenes, beside Embree where it is installed. It
-# takes some minutes, goes on where it was interrupted, and makes the pictures of the README.
+# The target chart: speed against accuracy of two scenes. It takes some minutes and makes the
+# pictures of the README.
 set(LAVER_CHART_OPTIONS --runs 5 --spp 64 --reference-spp 256)
-if(TARGET laver_embree)
-  list(APPEND LAVER_CHART_OPTIONS --program embree $<TARGET_FILE:laver_embree>)
-endif()
 set(charts "")
 foreach(scene bunny-whitted cornell-two-lights)
   string(REPLACE -two-lights "" name ${scene})
@@ -16,6 +13,3 @@ endforeach()
 add_custom_target(chart ${charts}
   COMMENT "Charting; leave the machine alone" USES_TERMINAL VERBATIM)
 add_dependencies(chart laver laver_meshes)
-if(TARGET laver_embree)
-  add_dependencies(chart laver_embree)
-endif()
