@@ -1,21 +1,21 @@
-# The target chart: speed against accuracy of two scenes, beside Embree where it is installed. It
-# takes some minutes, goes on where it was interrupted, and makes the pictures of the README.
-set(LAVER_CHART_OPTIONS --runs 5 --spp 64 --reference-spp 256)
-if(TARGET laver_embree)
-  list(APPEND LAVER_CHART_OPTIONS --program embree $<TARGET_FILE:laver_embree>)
-endif()
+# The target chart: speed against accuracy of two scenes, beside Mitsuba 3 where it is installed. It
+# takes some minutes and makes the pictures of the README.
+set(LAVER_MITSUBA_PYTHON python3 CACHE STRING
+  "Python in which Mitsuba 3 is installed, for charts (pip install mitsuba)")
+set(mitsuba "env ${LAVER_MITSUBA_PYTHON} tests/bench/mitsuba_peer.py --variant")
 set(charts "")
 foreach(scene bunny-whitted cornell-two-lights)
   string(REPLACE -two-lights "" name ${scene})
   set(folder ${CMAKE_BINARY_DIR}/chart/${scene})
   list(APPEND charts
-    COMMAND laver chart ${CMAKE_SOURCE_DIR}/scenes/${scene}.xml --out ${folder} ${LAVER_CHART_OPTIONS}
+    COMMAND laver chart scenes/${scene}.xml --out ${folder}
+      --runs 5 --spp 64 --reference-spp 256
+      --peer "Mitsuba 3, llvm_ad_rgb" "${mitsuba} llvm_ad_rgb"
+      --peer "Mitsuba 3, scalar_rgb" "${mitsuba} scalar_rgb"
     COMMAND ${CMAKE_COMMAND} -E copy ${folder}/chart.png
-      ${CMAKE_SOURCE_DIR}/scenes/pictures/chart-${name}.png)
+      scenes/pictures/chart-${name}.png)
 endforeach()
 add_custom_target(chart ${charts}
+  WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}
   COMMENT "Charting; leave the machine alone" USES_TERMINAL VERBATIM)
 add_dependencies(chart laver laver_meshes)
-if(TARGET laver_embree)
-  add_dependencies(chart laver_embree)
-endif()

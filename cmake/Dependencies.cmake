@@ -9,6 +9,8 @@ find_package(JPEG REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo)  # charts
 find_path(LAVER_VOLK_INCLUDE volk.h REQUIRED)
 find_path(LAVER_DEFLATE_INCLUDE libdeflate.h REQUIRED)
 find_library(LAVER_DEFLATE deflate REQUIRED)
@@ -20,5 +22,5 @@ target_include_directories(laver_dependencies SYSTEM INTERFACE
 target_link_libraries(laver_dependencies INTERFACE
   Threads::Threads glm::glm pugixml::pugixml OpenEXR::OpenEXR OpenEXR::OpenEXRCore
   ${LAVER_DEFLATE} PNG::PNG JPEG::JPEG CLI11::CLI11 fmt::fmt
-  nlohmann_json::nlohmann_json ${CMAKE_DL_LIBS})
+  nlohmann_json::nlohmann_json PkgConfig::CAIRO ${CMAKE_DL_LIBS})
 target_compile_definitions(laver_dependencies INTERFACE VK_NO_PROTOTYPES)

@@ -7,10 +7,10 @@ root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 build=$root/build
 
 packages='
-  ca-certificates cmake g++ glmark2-data glslang-tools libcli11-dev libdeflate-dev libembree-dev
-  libfmt-dev libgl1-mesa-dri libglfw3-dev libglm-dev libgtest-dev libimgui-dev libjpeg62-turbo-dev
+  ca-certificates cmake fonts-dejavu-core g++ glmark2-data glslang-tools libcairo2-dev libcli11-dev
+  libdeflate-dev libembree-dev libfmt-dev libgl1-mesa-dri libglfw3-dev libglm-dev libgtest-dev libimgui-dev libjpeg62-turbo-dev
   libopenexr-dev libpng-dev libpugixml-dev libtinyobjloader-dev libvulkan-dev libvulkan-volk-dev
-  libvulkan1 libx11-dev mesa-vulkan-drivers ninja-build nlohmann-json3-dev spirv-tools
+  libvulkan1 libx11-dev mesa-vulkan-drivers ninja-build nlohmann-json3-dev pkgconf spirv-tools
   vulkan-validationlayers xvfb'
 checkPackages='clang clang-format clang-tidy dpkg-dev file gcovr libclang-rt-dev'
 

@@ -60,11 +60,9 @@ struct ChartCommand {
   std::optional<glm::ivec2> size;  ///< default: 256 pixels wide
   std::string device;
   unsigned threads = 0;
-  std::string metric = "rmse";
   std::size_t runs = 5;
   std::uint32_t samples = 256, referenceSamples = 1024;
-  std::vector<std::string> peers;     ///< NAME SECONDS FILE.exr, one after the other
-  std::vector<std::string> programs;  ///< NAME FILE, one after the other
+  std::vector<std::string> peers;  ///< NAME COMMAND, one after the other
   bool quiet = false;
 };
 

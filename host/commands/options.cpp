@@ -173,7 +173,7 @@ void addChartOptions(CLI::App& app, ChartCommand& command) {
   app.add_option("scene", command.scene, "Nori scene, SCENE.xml")
       ->type_name("SCENE.xml")
       ->required();
-  app.add_option("--out", command.out, "folder of the chart; what is kept there is not done again")
+  app.add_option("--out", command.out, "folder of the chart; default SCENE-chart beside the scene")
       ->type_name("DIR");
   addSize(app, command.size, "size of the film in pixels; default 256 wide");
   app.add_option("--device", command.device, "as in rendering");
@@ -182,17 +182,14 @@ void addChartOptions(CLI::App& app, ChartCommand& command) {
       ->check(CLI::IsMember({"rmse", "relmse", "unexplained"}));
   app.add_option("--runs", command.runs, "renders of each point; the median counts")
       ->check(CLI::Range(1U, 1000U));
-  app.add_option("--spp", command.samples, "samples a pixel at most")
+  app.add_option("--spp", command.samples, "samples per pixel at most")
       ->check(CLI::Range(1U, 1U << 20));
-  app.add_option("--reference-spp", command.referenceSamples, "of each half of the reference")
+  app.add_option("--reference-spp", command.referenceSamples,
+                 "samples per pixel of each half of the reference")
       ->check(CLI::Range(1U, 1U << 20));
-  app.add_option("--peer", command.peers, "another renderer's picture and time; may be repeated")
-      ->type_name("NAME SECONDS FILE.exr")
-      ->type_size(3)
-      ->expected(1, 1000);
-  app.add_option("--program", command.programs,
-                 "a program that takes laver's options, to run beside it; may be repeated")
-      ->type_name("NAME FILE")
+  app.add_option("--peer", command.peers,
+                 "another renderer that takes laver's options; may be repeated")
+      ->type_name("NAME COMMAND")
       ->type_size(2)
       ->expected(1, 1000);
   app.add_flag("-q,--quiet", command.quiet, "print nothing but warnings and errors");

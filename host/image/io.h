@@ -29,12 +29,6 @@ std::map<std::string, std::string> readExrTexts(const std::string& file);
 
 /// Writes R, G, B as 8-bit sRGB, clamped and rounded to nearest; replaced as writeExr does.
 void writePng(const std::string& file, const Image& image);
-/// What decides how a PNG is packed.
-enum class PngContent { Render, Drawing };
-void writePng(const std::string& file, const Bitmap& bitmap,
-              PngContent content = PngContent::Render);
-
-/// The bytes of such a file. Throws Error(Output).
-std::vector<std::byte> encodePng(const Bitmap& bitmap);
+void writePng(const std::string& file, const Bitmap& bitmap);
 
 }  // namespace laver

@@ -51,7 +51,7 @@ struct PngTarget {
 };
 
 /// libpng leaves by longjmp: nothing in here has a destructor.
-bool encode(const Bitmap& bitmap, PngContent content, PngTarget& target) {
+bool encode(const Bitmap& bitmap, PngTarget& target) {
   const auto fail = [](png_structp png, png_const_charp message) {
     auto& reason = static_cast<PngTarget*>(png_get_error_ptr(png))->reason;
     std::strncpy(reason.data(), message, reason.size() - 1);
@@ -82,13 +82,7 @@ bool encode(const Bitmap& bitmap, PngContent content, PngTarget& target) {
   png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
   // A rendered picture's noise repeats nowhere but in runs. Against zlib's level 6 on five scenes:
   // a quarter to a third of the time, files 4 % smaller to 14 % larger.
-  if (content == PngContent::Render) {
-    png_set_compression_strategy(png, Z_RLE);
-  } else {
-    png_set_compression_level(png, Z_BEST_COMPRESSION);
-    png_set_filter(png, PNG_FILTER_TYPE_BASE,
-                   PNG_FILTER_NONE);  // lines and letters repeat as they are
-  }
+  png_set_compression_strategy(png, Z_RLE);
   png_write_info(png, info);
   const auto width = static_cast<std::size_t>(bitmap.width);
   for (std::size_t y = 0; y < static_cast<std::size_t>(bitmap.height); ++y)
@@ -105,17 +99,11 @@ void writePng(const std::string& file, const Image& image) {
   writePng(file, srgbBitmap(file, image));
 }
 
-void writePng(const std::string& file, const Bitmap& bitmap, PngContent content) {
+void writePng(const std::string& file, const Bitmap& bitmap) {
   static_assert(sizeof(Rgb8) == 3);
   PngTarget target;
-  if (!encode(bitmap, content, target)) refuse(file, target.reason.data());
+  if (!encode(bitmap, target)) refuse(file, target.reason.data());
   replaceFile(file, target.bytes);
-}
-
-std::vector<std::byte> encodePng(const Bitmap& bitmap) {
-  PngTarget target;
-  if (!encode(bitmap, PngContent::Render, target)) refuse("PNG in memory", target.reason.data());
-  return std::move(target.bytes);
 }
 
 }  // namespace laver

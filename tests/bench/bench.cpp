@@ -1,49 +1,56 @@
-// laver beside Embree 3, in one run: bench [--quick] [passes|rays|builds|files|processes] [OUT.json]
+// laver's speed, and that of Embree 3 for the same rays and meshes:
+// laver_bench [--short] [--markdown FILE] [--json FILE] [passes|rays|builds|files|processes]
 #include "bench/bench.h"
 
-#include <fmt/format.h>
-
+#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "core/error.h"
+#include "lab/chart/machine.h"
+#include "vulkan/device.h"
+#include "vulkan/instance.h"
 
 namespace laver::bench {
-
-EmbreeScenes::EmbreeScenes(const EmbreeDevices& devices, const Scene& scene)
-    : mesh(scene),
-      robust(devices.native, mesh, RTC_SCENE_FLAG_ROBUST, RTC_BUILD_QUALITY_MEDIUM),
-      plain(devices.native, mesh, RTC_SCENE_FLAG_NONE, RTC_BUILD_QUALITY_MEDIUM),
-      robustAvx2(devices.avx2, mesh, RTC_SCENE_FLAG_ROBUST, RTC_BUILD_QUALITY_MEDIUM),
-      plainAvx2(devices.avx2, mesh, RTC_SCENE_FLAG_NONE, RTC_BUILD_QUALITY_MEDIUM),
-      robustHigh(devices.native, mesh, RTC_SCENE_FLAG_ROBUST, RTC_BUILD_QUALITY_HIGH) {}
-
 namespace {
 
+nlohmann::json about(const EmbreeDevices& devices) {
+  const Instance instance(false);
+  const DeviceInfo device = deviceInfo(choosePhysicalDevice(instance, "cpu"));
+  return {{"date", chart::today()},
+          {"machine", chart::machine()},
+          {"compiler", chart::compiler()},
+          {"laver", LAVER_VERSION},
+          {"Vulkan device", device.name + ", " + device.driver},
+          {"Embree", devices.native.description()},
+          {"Embree, avx2", devices.avx2.description()}};
+}
+
 void run(int argc, char** argv) {
-  Rounds rounds;
-  std::string part, file;
-  for (int i = 1; i < argc; ++i) {
-    const std::string argument = argv[i];
-    if (argument == "--quick")
-      rounds = {3, 1, 1, 1, 1};
-    else if (argument.ends_with(".json"))
-      file = argument;
-    else
-      part = argument;
+  CLI::App app("Measures laver, and Embree for the same rays and meshes");
+  bool brief = false;
+  std::string part, json, markdown;
+  app.add_flag("--short", brief, "few rounds, small meshes: to try the bench out");
+  app.add_option("--json", json, "file for every single time");
+  app.add_option("--markdown", markdown, "file whose tables are replaced");
+  app.add_option("part", part)
+      ->check(CLI::IsMember({"passes", "rays", "builds", "files", "processes"}));
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    std::exit(app.exit(error));
   }
+  const Rounds rounds = brief ? Rounds{1, 1, 1, 1, 1, true} : Rounds{};
   const auto wanted = [&](const char* name) { return part.empty() || part == name; };
-  Report report;
   const EmbreeDevices devices;
-  report.section("Embree", {{"native", devices.native.description()},
-                            {"isa=avx2", devices.avx2.description()}});
-  fmt::print("  medians [quartiles]; xN: N times laver's median\n");
-  if (wanted("passes")) benchPasses(report, devices, rounds);
+  Report report(about(devices));
+  if (wanted("passes")) benchPasses(report, rounds);
   if (wanted("rays")) benchRays(report, devices, rounds);
   if (wanted("builds")) benchBuilds(report, devices, rounds);
   if (wanted("files")) benchFiles(report, rounds);
   if (wanted("processes")) benchProcesses(report, rounds);
-  report.printFigures();
-  if (!file.empty()) report.save(file);
+  report.printSummary();
+  if (!json.empty()) report.saveJson(json);
+  if (!markdown.empty()) report.saveMarkdown(markdown);
 }
 
 }  // namespace

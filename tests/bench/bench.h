@@ -4,33 +4,27 @@
 
 namespace laver::bench {
 
-/// Embree twice: with all that the machine has, and held to AVX2.
+/// Embree twice: with all instruction sets of the processor, and limited to AVX2.
 struct EmbreeDevices {
   EmbreeDevice native{"threads=2"};
   EmbreeDevice avx2{"threads=2,isa=avx2"};
 };
 
-/// One scene in Embree's forms.
-struct EmbreeScenes {
-  EmbreeScenes(const EmbreeDevices& devices, const Scene& scene);
-  EmbreeMesh mesh;
-  EmbreeScene robust, plain, robustAvx2, plainAvx2, robustHigh;
-};
-
-/// Rounds of each measurement; --quick takes few.
+/// How much is measured.
 struct Rounds {
   std::size_t passes = 9, renders = 3, builds = 5, processes = 5, files = 5;
+  bool brief = false;  ///< leaves out subdivided meshes, and renders of many samples
 };
 
-/// Whole passes: generate, trace, store.
-void benchPasses(Report& report, const EmbreeDevices& devices, const Rounds& rounds);
-/// Traversal only: rays from memory, hits to memory.
+/// Renders by laver: trace, reconstruct and compile.
+void benchPasses(Report& report, const Rounds& rounds);
+/// Traversal only, laver's and Embree's: rays from memory, hits to memory.
 void benchRays(Report& report, const EmbreeDevices& devices, const Rounds& rounds);
-/// Trees: seconds and SAH cost.
+/// Trees of both: seconds and SAH cost.
 void benchBuilds(Report& report, const EmbreeDevices& devices, const Rounds& rounds);
 /// OBJ files: seconds to load, and the parts of it.
 void benchFiles(Report& report, const Rounds& rounds);
-/// Many samples with a gaussian filter, and whole processes of `laver`.
+/// Reconstruction by a Gaussian filter at many samples, and whole processes of `laver`.
 void benchProcesses(Report& report, const Rounds& rounds);
 
 }  // namespace laver::bench

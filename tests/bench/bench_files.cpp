@@ -64,7 +64,8 @@ void benchFile(Report& report, const std::string& title, const std::string& file
 
 void benchFiles(Report& report, const Rounds& rounds) {
   benchFile(report, "bunny", sceneFile("scenes/meshes/bunny.obj"), rounds.files);
-  const TemporaryObj large(benchScene("bunny", 2).meshes.at(0));
+  if (rounds.brief) return;
+  const TemporaryObj large(benchScene("bunny", 2, "direct_whitted", 1).meshes.at(0));
   benchFile(report, "bunny x16", large.path.string(), rounds.files);
 }
 

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "core/error.h"
-#include "render/packed.h"
+#include "render/scene_data.h"
 
 namespace laver::bench {
 namespace {

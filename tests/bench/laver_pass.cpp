@@ -6,16 +6,16 @@
 
 namespace laver::bench {
 
-LaverRender renderWithLaver(const Scene& scene, unsigned threads, const std::string& traversal,
-                            bool everyRay) {
+Stats renderWithLaver(const Scene& scene, unsigned threads, const std::string& traversal,
+                      bool allPixels) {
   ::setenv("LP_NUM_THREADS", std::to_string(threads).c_str(), 1);
   VulkanOptions vulkan;
   vulkan.device = "cpu";
   vulkan.traversal = traversal;
-  vulkan.wholeFilm = everyRay;
-  LaverRender out;
-  out.image = Renderer(vulkan).render(scene, {}, out.stats).image;
-  return out;
+  vulkan.wholeFilm = allPixels;
+  Stats stats;
+  Renderer(vulkan).render(scene, {}, stats);
+  return stats;
 }
 
 }  // namespace laver::bench

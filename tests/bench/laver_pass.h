@@ -1,19 +1,12 @@
 #pragma once
-#include "image/image.h"
 #include "render/stats.h"
 #include "scene/scene.h"
 
 namespace laver::bench {
 
-/// What a render gave.
-struct LaverRender {
-  Image image;
-  Stats stats;
-};
-
-/// Renders as `laver` does, on the CPU device with `threads` of the driver's threads; with
-/// `everyRay` also what of the film sees nothing.
-LaverRender renderWithLaver(const Scene& scene, unsigned threads, const std::string& traversal = {},
-                            bool everyRay = false);
+/// Figures of a render as `laver` does it, on the CPU device with `threads` of the driver's
+/// threads. With `allPixels`, pixels whose rays cannot hit any geometry are traced too.
+Stats renderWithLaver(const Scene& scene, unsigned threads, const std::string& traversal = {},
+                      bool allPixels = false);
 
 }  // namespace laver::bench

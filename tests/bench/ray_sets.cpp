@@ -28,7 +28,7 @@ constexpr float kOffset = 1e-5F;
 
 }  // namespace
 
-std::vector<TestRay> cameraRays(const Packed& data) {
+std::vector<TestRay> cameraRays(const SceneData& data) {
   const shared::Params& p = data.params;
   const std::uint32_t width = p.film.x, height = p.film.y, rows = height / 8;
   auto stride = static_cast<std::uint32_t>(0.618 * rows);
@@ -57,7 +57,7 @@ std::vector<TestRay> shuffled(std::vector<TestRay> rays) {
   return rays;
 }
 
-std::vector<vec3> litPoints(const Packed& data, std::span<const TestRay> rays,
+std::vector<vec3> litPoints(const SceneData& data, std::span<const TestRay> rays,
                             std::span<const TestHit> hits) {
   const auto normals = normalsOf(data.bvh);
   const vec3 light = data.lights.front().position;
@@ -71,7 +71,7 @@ std::vector<vec3> litPoints(const Packed& data, std::span<const TestRay> rays,
   return points;
 }
 
-std::vector<TestRay> bounced(const Packed& data, std::span<const TestRay> rays,
+std::vector<TestRay> bounced(const SceneData& data, std::span<const TestRay> rays,
                              std::span<const TestHit> hits) {
   const auto normals = normalsOf(data.bvh);
   std::mt19937 engine(3);

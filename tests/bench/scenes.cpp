@@ -1,5 +1,7 @@
 #include "bench/scenes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 
@@ -32,8 +34,20 @@ std::string sceneFile(const std::string& path) {
   return std::string(LAVER_SOURCE_DIR) + "/" + path;
 }
 
-Scene benchScene(const std::string& name, int times) {
-  Scene scene = loadScene(sceneFile("tests/bench/scenes/" + name + ".xml")).scene;
+std::string titleOf(const std::string& scene, int times) {
+  return times == 0 ? scene : fmt::format("{} x{}", scene, 1 << (2 * times));
+}
+
+std::string counted(std::size_t count, const std::string& thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
+Scene benchScene(const std::string& name, int times, const std::string& integrator,
+                 std::uint32_t samples) {
+  SceneOverrides overrides;
+  overrides.integrator = integratorFromName(integrator);
+  overrides.sampleCount = samples;
+  Scene scene = loadScene(sceneFile("tests/bench/scenes/" + name + ".xml"), overrides).scene;
   for (Mesh& mesh : scene.meshes) {
     mesh.normals.clear();
     mesh.uvs.clear();

@@ -20,6 +20,14 @@ std::string machine() {
   return fmt::format("{}, {} threads", name, threadCount(0));
 }
 
+std::string compiler() {
+#ifdef __clang__
+  return __VERSION__;  // "Debian Clang 14.0.6"
+#else
+  return "g++ " __VERSION__;
+#endif
+}
+
 std::string today() {
   const std::time_t now = std::time(nullptr);
   char text[32];

@@ -6,254 +6,255 @@
 #include <map>
 
 #include "core/error.h"
-#include "core/numeric.h"
 #include "image/io.h"
 #include "lab/chart/chart.h"
-#include "lab/chart/films.h"
 #include "lab/chart/machine.h"
-#include "lab/chart/measure.h"
-#include "lab/chart/pictures.h"
+#include "lab/chart/numbers.h"
+#include "lab/chart/run.h"
+#include "reference/reference.h"
 
 namespace laver::chart {
 namespace {
 
-/// Beyond so many samples a pixel the double-precision twin would take longer than all the rest.
-constexpr std::uint32_t kMostJudged = 64;
+/// Pictures of more samples per pixel are not compared with the reference's of the same samples,
+/// which takes longer than all the rest.
+constexpr double kMaxJudged = 64;
 
-class Maker {
+/// Thrown where an observer stopped the work.
+struct Stopped {};
+
+void throwIfStopped(const Options& options) {
+  if (stops(options.observers)) throw Stopped{};
+}
+
+/// A part of the work, for its observers: from one share of the whole time, about, to another.
+class Part : public Observer {
  public:
-  explicit Maker(const Options& options)
-      : options_(options),
-        kept_(std::filesystem::path(options.folder) / "kept"),
-        measurer_(options, kept_),
-        scene_(sceneWith(samplers::independent.name, 1)) {}
-
-  Chart make() {
-    probe();
-    const auto choices = choicesFor(scene_, options_.programs, otherTraversals_, options_.samples);
-    plan(choices);
-    makeTruths();
-    addPoints(choices);
-    addPeers();
-    judge(choices);
-    addFloor();
-    addMethods();
-    return std::move(chart_);
+  Part(const Options& options, double from, double to)
+      : observers_(options.observers), from_(from), to_(to) {}
+  bool stop() override { return stops(observers_); }
+  void progress(double share, std::uint64_t samples) override {
+    for (Observer* observer : observers_) observer->progress(std::lerp(from_, to_, share), samples);
   }
 
  private:
-  Scene sceneWith(const std::string& sampler, std::uint32_t samples) const {
-    SceneOverrides overrides;
-    overrides.sampler = rowCalled(samplerRows(), sampler);
-    overrides.size = options_.size;
-    overrides.sampleCount = samples;
-    return loadScene(options_.scene, overrides).scene;
+  const std::vector<Observer*>& observers_;
+  double from_, to_;
+};
+constexpr double kTruthEnd = 0.4, kRunsEnd = 0.9;
+
+void say(const Options& options, const std::string& line) {
+  if (options.say) options.say(line);
+}
+
+Scene sceneOf(const Options& options) {
+  SceneOverrides overrides;
+  overrides.size = options.size;
+  return loadScene(options.scene, overrides).scene;
+}
+
+Image renderReference(const Scene& scene, const Options& options, Part part) {
+  RenderOptions render;
+  render.threads = options.threads;
+  render.observers = {&part};
+  Image image = Reference(scene, options.threads).render(render).image;
+  throwIfStopped(options);
+  return image;
+}
+
+/// The mean of two stratified pictures of different seeds, neither of them the scene's; their
+/// difference estimates the error of the mean.
+Truth truthOf(Scene scene, const Options& options) {
+  scene.sampler.kind = Sampler::Kind::Stratified;
+  scene.sampler.sampleCount = options.truthSamples;
+  scene.sampler.seed += 1;
+  const Image a = renderReference(scene, options, {options, 0.0, kTruthEnd / 2});
+  scene.sampler.seed += 1;
+  const Image b = renderReference(scene, options, {options, kTruthEnd / 2, kTruthEnd});
+  Truth truth{a, errorsOf(a, b).rmse / 2.0};
+  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+    truth.image.pixels[i] = 0.5F * (a.pixels[i] + b.pixels[i]);
+  return truth;
+}
+
+std::vector<std::string> commandOf(const Series& series, const Options& options) {
+  std::vector<std::string> command{options.self};
+  for (const Peer& peer : options.peers)
+    if (peer.name == series.program) command = peer.command;
+  command.insert(command.end(),
+                 {options.scene, "--size", fmt::format("{}x{}", options.size.x, options.size.y)});
+  if (series.program == "laver" && !options.device.empty())
+    command.insert(command.end(), {"--device", options.device});
+  if (options.threads != 0)
+    command.insert(command.end(), {"--threads", std::to_string(options.threads)});
+  return command;
+}
+
+void addTimes(const Run& run, const Options& options, Point& point) {
+  const auto& stats = run.stats;
+  const auto& seconds = stats.at("seconds");
+  point.samples = (stats.value("/samples/total"_json_pointer, 0.0) +
+                   stats.value("/adaptive/pilotSamples"_json_pointer, 0.0)) /
+                  options.size.x / options.size.y;
+  point.passSeconds.push_back(seconds.value("trace", 0.0) + seconds.value("reconstruct", 0.0));
+  point.processSeconds.push_back(seconds.value("process", run.seconds));
+}
+
+/// Measures a chart's series.
+class Measurement {
+ public:
+  explicit Measurement(const Options& options) : options_(options), runner_(options.folder) {}
+
+  /// Device, driver and laver's own choice of traversal.
+  void probe(Chart& chart) const {
+    const Run run = runOnce({"", "laver", kIndependent, false, "", {}}, 0);
+    chart.device = run.stats.value("device", "");
+    chart.driver = run.stats.value("driver", "");
+    chart.traversal = run.stats.value("traversal", "");
   }
 
-  /// What the device is and how it traces unasked.
-  void probe() {
-    auto arguments = measurer_.commonArguments();
-    arguments.insert(arguments.end(), {"--spp", "1"});
-    const Run run = measurer_.runOnce("laver", arguments);
-    chart_.device = run.stats.value("device", "");
-    chart_.driver = run.stats.value("driver", "");
-    otherTraversals_ = traversalsBeside(run.stats.value("traversal", ""));
-    chart_.scene = options_.scene;
-    chart_.machine = machine();
-    chart_.date = today();
-    chart_.width = options_.size.x;
-    chart_.height = options_.size.y;
-    chart_.filters = filtersFor(scene_);
-    chart_.truthSamples = squareFrom(options_.truthSamples);
+  /// Leaves out a peer that says it is not available.
+  void tryPeers(Chart& chart) const {
+    std::erase_if(chart.series, [&](const Series& series) {
+      if (series.program == "laver") return false;
+      const Run run = start(series, 0);
+      const bool missing = run.exitCode == kUnavailable || run.exitCode == kNotFound;
+      if (missing) chart.missing.push_back(fmt::format("{}: {}", series.name, run.lastError));
+      return missing;
+    });
   }
 
-  /// Shares of the progress, by what things took on a machine of 2 threads.
-  double pixels() const { return static_cast<double>(options_.size.x) * options_.size.y; }
-  double truthCost() const { return 2.0 * options_.truthSamples * pixels() * 1.1e-6; }
-  double costOf(const Choice& choice) const {
-    return static_cast<double>(options_.runs + 1) *
-           (0.3 + std::max(choice.samples, 1U) * pixels() * 9e-8);
-  }
-  double judgeCost(const Choice& choice) const {
-    return isJudged(choice) ? choice.samples * pixels() * 4e-7 : 0.0;
-  }
-  void plan(const std::vector<Choice>& choices) {
-    total_ = truthCost();
-    for (const Choice& choice : choices) total_ += costOf(choice) + judgeCost(choice);
-  }
-  void report(double more) const {
-    if (options_.progress) options_.progress(std::min(1.0, (done_ + more) / total_));
-  }
-  void finish(double cost) {
-    done_ += cost;
-    report(0.0);
-  }
-
-  void makeTruths() {
-    TruthOptions truth;
-    truth.samples = options_.truthSamples;
-    truth.threads = options_.threads;
-    truth.stop = options_.stop;
-    truth.progress = [&](double share) { report(share * truthCost()); };
-    const std::string key = fmt::format("laver {} {}", LAVER_VERSION, measurer_.sceneKey());
-    chart_.truths = truthOf(scene_, chart_.filters, truth, kept_, key);
-    if (chart_.truths.empty()) throw Stopped{};
-    finish(truthCost());
-  }
-
-  std::size_t placeOf(const FilterRow* filter) const {
-    std::size_t i = 0;
-    while (chart_.filters[i].row != filter) ++i;
-    return i;
-  }
-
-  void addPoints(const std::vector<Choice>& choices) {
-    chart_.points.resize(choices.size());
-    images_.resize(choices.size());
-    for (const auto& group : sameButForProgram(choices)) {
-      std::vector<Choice> members;
-      members.reserve(group.size());
-      for (const std::size_t i : group) members.push_back(choices[i]);
-      measurer_.measureInTurns(members);
-      for (const std::size_t i : group) setPoint(choices[i], chart_.points[i], images_[i]);
-    }
-  }
-
-  void setPoint(const Choice& choice, Point& point, Image& image) {
-    const Measured measured = measurer_.measured(choice);
-    point.series = nameOf(choice.series);
-    point.filter = choice.series.filter;
-    point.program = choice.series.program;
-    point.sampler = choice.series.sampler;
-    point.adaptive = choice.series.adaptive;
-    point.traversal = choice.series.traversal;
-    point.samples = measured.samples;
-    point.command =
-        fmt::format("{} {} {}", choice.series.program, fmt::join(measurer_.commonArguments(), " "),
-                    fmt::join(choice.arguments(), " "));
-    point.passSeconds = measured.passSeconds;
-    point.processSeconds = measured.processSeconds;
-    image = measured.image;
-    addErrors(image, point);
-    if (options_.say)
-      options_.say(fmt::format("{}, {:g} samples: {:.1f} ms, RMSE {:.3g}", point.series,
-                               point.samples, quantile(point.passSeconds, 0.5) * 1e3,
-                               point.errors.rmse));
-    finish(costOf(choice));
-  }
-
-  void addErrors(const Image& image, Point& point) const {
-    const Image& truth = chart_.truths[placeOf(point.filter)].image;
-    point.errors = errorsOf(image, truth);
-    point.thumbnail = thumbnailOf(image);
-    point.errorMap = errorMapOf(image, truth);
-  }
-
-  void addPeers() {
-    for (const Peer& peer : options_.peers) {
-      const Image image = rgbOf(readExr(peer.file), peer.file);
-      Point point;
-      point.series = point.program = peer.name;
-      point.filter = scene_.filter.row;
-      point.passSeconds = point.processSeconds = {peer.seconds};
-      addErrors(image, point);
-      chart_.points.push_back(std::move(point));
-    }
-  }
-
-  static bool isJudged(const Choice& choice) {
-    return choice.samples != 0 && choice.samples <= kMostJudged;
-  }
-
-  /// Holds pictures against the double-precision pictures of the same samples, traced once for all
-  /// filters.
-  void judge(const std::vector<Choice>& choices) {
-    std::map<std::pair<std::string, std::uint32_t>, std::vector<std::size_t>> groups;
-    for (std::size_t i = 0; i < choices.size(); ++i)
-      if (isJudged(choices[i]))
-        groups[{choices[i].series.sampler, choices[i].samples}].push_back(i);
-    for (const auto& [group, members] : groups)
-      judgeGroup(group.first, group.second, members, choices);
-  }
-
-  void judgeGroup(const std::string& sampler, std::uint32_t samples,
-                  const std::vector<std::size_t>& members, const std::vector<Choice>& choices) {
-    const auto keyOfMember = [&](std::size_t i) {
-      return fmt::format("laver {} mismatches of {}", LAVER_VERSION, measurer_.keyOf(choices[i]));
-    };
-    const auto complete = std::all_of(members.begin(), members.end(),
-                                      [&](std::size_t i) { return kept_.read(keyOfMember(i)); });
-    if (!complete) {
-      Scene scene = sceneWith(sampler, samples);
-      const Reference reference(scene, options_.threads);
-      Films films(chart_.width, chart_.height, chart_.filters, options_.threads);
-      for (std::uint32_t s = 0; s < samples; ++s) {
-        throwIfStopped(options_);
-        films.add([&](int x, int y) { return glm::dvec2(reference.samplePosition(x, y, s)); },
-                  [&](glm::dvec2 film) { return reference.radiance(film); });
+  /// The points of one step, in turns: a moment in which the machine does something else then falls
+  /// on all series alike. A first run of each warms up caches.
+  void measure(std::vector<Series>& series, std::size_t step, const Image& truth) const {
+    std::vector<Series*> taking;
+    for (Series& each : series)
+      if (!stepOptions(each, step, options_.samples).empty()) taking.push_back(&each);
+    for (Series* each : taking) each->points.emplace_back();
+    for (std::size_t i = 0; i <= options_.runs; ++i)
+      for (Series* each : taking) {
+        Point& point = each->points.back();
+        const Run run = runOnce(*each, step);
+        if (i > 0) addTimes(run, options_, point);
+        if (i < options_.runs) continue;
+        const Image image = pictureOf(*each);
+        point.command = lineOf(*each, step);
+        point.errors = errorsOf(image, truth);
+        if (isJudged(*each, point)) point.mismatches = judge(*each, image);
+        say(options_,
+            fmt::format("{}, {:.4g} samples: {:.1f} ms, RMSE {:.3g}", each->name, point.samples,
+                        quantile(point.passSeconds, 0.5) * 1e3, point.errors.rmse));
       }
-      for (const std::size_t i : members) {
-        throwIfStopped(options_);
-        if (kept_.read(keyOfMember(i))) continue;
-        const std::size_t f = placeOf(choices[i].series.filter);
-        scene.filter = chart_.filters[f];
-        const Mismatches m =
-            mismatchesOf(images_[i], films.picture(f), scene, reference, options_.threads);
-        kept_.write(keyOfMember(i),
-                    {{"pixels", m.pixels}, {"unexplained", m.unexplained}, {"rmse", m.rmse}});
-      }
-    }
-    for (const std::size_t i : members) {
-      const auto found = kept_.read(keyOfMember(i));
-      chart_.points[i].mismatches =
-          Mismatches{found->at("pixels"), found->at("unexplained"), found->at("rmse")};
-      finish(judgeCost(choices[i]));
-    }
   }
 
-  /// Of laver's own pictures with the fewest flips at edges: their median of the most samples
-  /// judged.
-  void addFloor() {
-    std::vector<double> floors;
-    for (const Point& point : chart_.points)
-      if (point.program == "laver" && point.mismatches) floors.push_back(point.mismatches->rmse);
-    chart_.floatFloor = quantile(floors, 0.5);
+ private:
+  Run start(const Series& series, std::size_t step) const {
+    throwIfStopped(options_);
+    auto command = commandOf(series, options_);
+    for (const auto& option : stepOptions(series, step, options_.samples))
+      command.push_back(option);
+    Run run = runner_.run(command);
+    throwIfStopped(options_);
+    return run;
   }
 
-  void addMethods() {
-    const std::string key = measurer_.keyOfMethods();
-    auto found = kept_.read(key);
-    if (!found) {
-      found = nlohmann::json::array();
-      try {
-        for (const MethodPoint& m :
-             chartMethods(scene_, options_.device, options_.runs, options_.stop))
-          found->push_back(toJson(m));
-      } catch (const Error& error) {  // a sphere, or a tree too large for one buffer
-        if (options_.say) options_.say(std::string("panel C is left out: ") + error.what());
-        return;
-      }
-      throwIfStopped(options_);
-      kept_.write(key, *found);
-    }
-    for (const auto& entry : *found) chart_.methods.push_back(methodFromJson(entry));
+  Run runOnce(const Series& series, std::size_t step) const {
+    Run run = start(series, step);
+    if (run.exitCode != 0)
+      throw Error(run.exitCode <= 5 ? static_cast<ExitCode>(run.exitCode) : ExitCode::Output,
+                  fmt::format("{} failed: {}", series.program, run.lastError));
+    if (!run.stats.is_object() || !run.stats.contains("seconds"))
+      throw Error(ExitCode::Output, series.program + " left no figures in its --stats file");
+    return run;
+  }
+
+  std::string lineOf(const Series& series, std::size_t step) const {
+    return fmt::format("{} {}", fmt::join(commandOf(series, options_), " "),
+                       fmt::join(stepOptions(series, step, options_.samples), " "));
+  }
+
+  Image pictureOf(const Series& series) const {
+    Image image = runner_.picture();
+    if (image.width != options_.size.x || image.height != options_.size.y)
+      throw Error(ExitCode::Output, series.program + " left a picture of another size");
+    return image;
+  }
+
+  static bool isJudged(const Series& series, const Point& point) {
+    return series.program == "laver" && !series.adaptive && point.samples <= kMaxJudged;
+  }
+
+  /// Compares a picture with the reference's of the same samples.
+  Mismatches judge(const Series& series, const Image& image) const {
+    const auto samples = static_cast<std::uint32_t>(series.points.back().samples);
+    Scene scene = sceneOf(options_);
+    scene.sampler.kind = *samplerFromName(series.sampler);
+    scene.sampler.sampleCount = samples;
+    const Reference reference(scene, options_.threads);
+    RenderOptions render;
+    render.threads = options_.threads;
+    auto& picture = references_[{series.sampler, samples}];
+    if (picture.pixels.empty()) picture = reference.render(render).image;
+    return mismatchesOf(image, picture, scene, reference, options_.threads);
   }
 
   const Options& options_;
-  Kept kept_;
-  Measurer measurer_;
-  Scene scene_;
-  std::vector<std::string> otherTraversals_;
-  Chart chart_;
-  std::vector<Image> images_;  // of the choices
-  double total_ = 1, done_ = 0;
+  Runner runner_;
+  mutable std::map<std::pair<std::string, std::uint32_t>, Image> references_;
 };
+
+std::vector<MethodPoint> methodsOf(const Scene& scene, const Options& options) {
+  try {
+    auto methods =
+        chartMethods(scene, options.device, options.runs, [&] { return stops(options.observers); });
+    throwIfStopped(options);
+    return methods;
+  } catch (const Error& error) {  // a sphere, or a tree too large for one buffer
+    say(options, std::string("intersection methods are left out: ") + error.what());
+    return {};
+  }
+}
+
+Chart make(const Options& options) {
+  Chart chart;
+  chart.scene = options.scene;
+  chart.machine = machine();
+  chart.date = today();
+  chart.width = options.size.x;
+  chart.height = options.size.y;
+  chart.truthSamples = options.truthSamples;
+  const Measurement measurement(options);
+  measurement.probe(chart);
+  chart.series = seriesFor(chart.traversal, options.peers);
+  measurement.tryPeers(chart);
+  const Scene scene = sceneOf(options);
+  const Truth truth = truthOf(scene, options);
+  chart.truthError = truth.error;
+  std::size_t steps = 0;
+  const auto taken = [&](const Series& series) {
+    return !stepOptions(series, steps, options.samples).empty();
+  };
+  while (std::any_of(chart.series.begin(), chart.series.end(), taken)) ++steps;
+  Part runs(options, kTruthEnd, kRunsEnd);
+  for (std::size_t step = 0; step < steps; ++step) {
+    measurement.measure(chart.series, step, truth.image);
+    runs.progress(static_cast<double>(step + 1) / static_cast<double>(steps), 0);
+  }
+  chart.methods = methodsOf(scene, options);
+  writeExr((std::filesystem::path(options.folder) / "reference.exr").string(), truth.image);
+  return chart;
+}
 
 }  // namespace
 
 std::optional<Chart> makeChart(const Options& options) {
+  std::error_code error;
+  std::filesystem::create_directories(options.folder, error);
+  if (error)
+    throw Error(ExitCode::Output,
+                fmt::format("cannot make the folder \"{}\": {}", options.folder, error.message()));
   try {
-    return Maker(options).make();
+    return make(options);
   } catch (const Stopped&) {
     return {};
   }

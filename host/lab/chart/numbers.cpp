@@ -3,35 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace laver::chart {
 
-std::vector<std::size_t> paretoFront(std::span<const Place> places) {
-  std::vector<std::size_t> order(places.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::erase_if(order, [&](std::size_t i) {
-    return !std::isfinite(places[i].x) || !std::isfinite(places[i].y);
-  });
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return places[a].x != places[b].x ? places[a].x < places[b].x : places[a].y < places[b].y;
-  });
-  std::vector<std::size_t> front;
-  for (const std::size_t i : order)
-    if (front.empty() || places[i].y < places[front.back()].y) front.push_back(i);
-  return front;
-}
-
-double logSlope(std::span<const Place> places) {
-  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-  for (const Place& p : places) {
-    if (!(p.x > 0 && p.y > 0)) continue;
-    const double u = std::log(p.x), v = std::log(p.y);
-    n += 1, x += u, y += v, xx += u * u, xy += u * v;
-  }
-  const double spread = n * xx - x * x;
-  if (!(spread > 1e-12 * n * xx)) return std::numeric_limits<double>::quiet_NaN();
-  return (n * xy - x * y) / spread;
+double quantile(std::vector<double> values, double q) {
+  if (values.empty()) return 0.0;
+  std::sort(values.begin(), values.end());
+  const double rank = q * static_cast<double>(values.size() - 1);
+  const auto low = static_cast<std::size_t>(rank);
+  const std::size_t high = std::min(low + 1, values.size() - 1);
+  return std::lerp(values[low], values[high], rank - static_cast<double>(low));
 }
 
 double LogAxis::at(double value) const { return std::log(value / low) / std::log(high / low); }

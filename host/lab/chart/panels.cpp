@@ -1,139 +1,170 @@
-// The panels of a chart: what stands where.
+#include "lab/chart/panels.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
+#include <filesystem>
 
-#include "core/numeric.h"
-#include "lab/chart/panel.h"
+#include "lab/chart/numbers.h"
 
 namespace laver::chart {
 namespace {
 
-/// The first six are told apart by those who see no red or no green (Okabe and Ito, "Color
-/// Universal Design", 2008). To them the seventh looks like the second: marks differ in shape too.
-constexpr Rgb8 kPalette[] = {{0, 114, 178}, {213, 94, 0},   {0, 158, 115}, {204, 121, 167},
-                             {0, 0, 0},     {86, 180, 233}, {170, 130, 0}, {110, 110, 110},
-                             {100, 0, 130}, {140, 200, 60}};
+/// Told apart also by those who see no red or no green (Okabe and Ito, "Color Universal Design",
+/// 2008).
+constexpr Colour kPalette[kMaxCurves] = {{0, 114, 178},   {213, 94, 0}, {0, 158, 115},
+                                         {204, 121, 167}, {0, 0, 0},    {86, 180, 233}};
 
-/// A curve's name, the same for all filters: its colour goes by it.
-std::string lineOf(const Point& point) {
-  std::string name = point.program == "laver" ? "" : point.program;
-  const auto add = [&](const std::string& part) {
-    if (!part.empty()) name += (name.empty() ? "" : ", ") + part;
-  };
-  add(point.sampler);
-  if (point.adaptive) add("adaptive");
-  add(point.traversal);
-  return name;
+/// Laver's curves take colours from the front, peers' from the back, so that a peer looks the same
+/// in each panel.
+struct Style {
+  Colour colour;
+  Shape shape;
+};
+Style laverStyle(std::size_t number, Shape shape) { return {kPalette[number % kMaxCurves], shape}; }
+Style peerStyle(std::size_t number) {
+  return {kPalette[kMaxCurves - 1 - number % kMaxCurves], Shape::Triangle};
 }
 
-Shape shapeOf(const Point& point) {
-  if (point.program != "laver") return Shape::Triangle;
-  if (point.adaptive) return Shape::Diamond;
-  return point.traversal.empty() ? Shape::Disc : Shape::Square;
+/// Times of points are milliseconds of the pass, or of the whole process.
+Curve curveOf(const Series& series, const std::string& name, Style style,
+              std::vector<double> Point::*seconds) {
+  Curve curve{name, style.colour, style.shape, true, {}};
+  for (const Point& point : series.points) {
+    const auto ms = [&](double q) { return 1e3 * quantile(point.*seconds, q); };
+    const double samples = std::round(point.samples * 10.0) / 10.0;
+    curve.marks.push_back({ms(0.5), ms(0.25), ms(0.75), point.errors.rmse,
+                           samples > 0 ? fmt::format("{:g}", samples) : ""});
+  }
+  return curve;
 }
 
-std::string milliseconds(double seconds) { return fmt::format("{:.3g} ms", seconds * 1e3); }
+Panel errorPanel(const std::string& title, const std::string& time, const Chart& chart) {
+  return {title, time + ", milliseconds", "error (RMSE; white is 1)", {}, chart.truthError};
+}
+
+Panel samplerPanel(const Chart& chart) {
+  Panel panel = errorPanel("Which sampler is best?", "rendering alone", chart);
+  for (const Series& series : chart.series) {
+    if (series.program != "laver" || !series.traversal.empty()) continue;
+    panel.curves.push_back(
+        curveOf(series, series.name,
+                laverStyle(panel.curves.size(), series.adaptive ? Shape::Diamond : Shape::Disc),
+                &Point::passSeconds));
+  }
+  return panel;
+}
+
+std::string traversalText(const std::string& traversal) {
+  return traversal == "lane" ? "laver, single rays"
+                             : fmt::format("laver, packets of {} rays", traversal.substr(6));
+}
+
+/// `independent` by all traversals and peers.
+Panel traversalPanel(const Chart& chart) {
+  Panel panel = errorPanel("Independent samples, traced in other ways", "rendering alone", chart);
+  std::size_t laver = 0, peers = 0;
+  for (const Series& series : chart.series) {
+    if (series.sampler != kIndependent || series.adaptive) continue;
+    const bool own = series.program == "laver";
+    const std::string& traversal = series.traversal.empty() ? chart.traversal : series.traversal;
+    panel.curves.push_back(
+        curveOf(series, own ? traversalText(traversal) : series.name,
+                own ? laverStyle(laver++, series.traversal.empty() ? Shape::Disc : Shape::Square)
+                    : peerStyle(peers++),
+                &Point::passSeconds));
+  }
+  return panel;
+}
+
+/// laver's plainest and its best sampler, and peers.
+Panel processPanel(const Chart& chart) {
+  Panel panel = errorPanel("From the start of the program to the file",
+                           "whole program, compiling included", chart);
+  std::size_t number = 0, peers = 0;
+  for (const Series& series : chart.series) {
+    const bool own = series.program == "laver";
+    if (own && (series.adaptive || !series.traversal.empty())) continue;
+    const Style style = own ? laverStyle(number++, Shape::Disc) : peerStyle(peers++);
+    panel.curves.push_back(curveOf(series, own ? "laver, " + series.name : series.name, style,
+                                   &Point::processSeconds));
+  }
+  return panel;
+}
+
+/// Triangle tests: one curve for each, a mark for each of its box tests and forms of nodes.
+Panel methodPanel(const Chart& chart) {
+  Panel panel{"Ways to intersect a ray with a triangle",
+              "time per ray, nanoseconds",
+              "rounding error of the distance, ulp",
+              {},
+              0};
+  std::vector<std::string> names;
+  std::vector<std::uint64_t> wrong;
+  for (const MethodPoint& m : chart.methods) {
+    const auto found = std::find(names.begin(), names.end(), m.triangles);
+    const auto i = static_cast<std::size_t>(found - names.begin());
+    if (found == names.end()) {
+      names.push_back(m.triangles);
+      wrong.push_back(0);
+      const Style style = laverStyle(i, Shape::Disc);
+      panel.curves.push_back({"", style.colour, style.shape, false, {}});
+    }
+    wrong[i] = std::max(wrong[i], m.unexcused);
+    panel.curves[i].marks.push_back({m.nanoseconds, m.quartiles[0], m.quartiles[1], m.t99, ""});
+  }
+  for (std::size_t i = 0; i < names.size(); ++i)
+    panel.curves[i].name = fmt::format(
+        "{} ({:.2g} % wrong)", names[i],
+        100.0 * static_cast<double>(wrong[i]) / static_cast<double>(chart.methods[0].rays));
+  return panel;
+}
+
+std::vector<std::string> notesOf(const Chart& chart) {
+  std::uint64_t pixels = 0, unexcused = 0;
+  for (const Series& series : chart.series)
+    for (const Point& point : series.points)
+      if (point.mismatches) {
+        pixels += point.mismatches->pixels;
+        unexcused += point.mismatches->unexcused;
+      }
+  std::vector<std::string> notes;
+  notes.push_back(fmt::format(
+      "Exact picture: double precision, {} samples per pixel; its own error is {:.2g}. Against the "
+      "double-precision picture of the same samples, {} pixels differ visibly, {} of them for "
+      "another reason than rounding at an edge.",
+      2 * chart.truthSamples, chart.truthError, pixels, unexcused));
+  if (!chart.methods.empty())
+    notes.push_back(fmt::format(
+        "Ray-triangle tests, each with three box tests and two node formats: the 99th percentile "
+        "of "
+        "the distance's error, in units in the last place. Wrong: of {} rays aimed at edges and "
+        "corners, the largest share that find another triangle or none.",
+        chart.methods[0].rays));
+  for (const std::string& peer : chart.missing) notes.push_back("Not measured: " + peer + ".");
+  notes.push_back(fmt::format("Medians and quartiles. {}; {}; laver {}, {}.", chart.machine,
+                              chart.device, LAVER_VERSION, chart.date));
+  return notes;
+}
 
 }  // namespace
 
-std::string anchorOf(std::size_t point) { return fmt::format("point-{}", point); }
-std::string methodAnchor(std::size_t method) { return fmt::format("method-{}", method); }
-
-double valueOf(const Point& point, const Chart& chart, const std::string& metric) {
-  if (metric == "rmse") return point.errors.rmse;
-  if (metric == "relmse") return point.errors.relativeMse;
-  if (!point.mismatches) return std::numeric_limits<double>::quiet_NaN();
-  return static_cast<double>(point.mismatches->unexplained) /
-         (static_cast<double>(chart.width) * chart.height);
-}
-
-Panel timePanel(const Chart& chart, std::size_t filter, const std::string& metric, bool process) {
-  const FilterRow* row = chart.filters[filter].row;
-  Panel panel;
-  panel.title = fmt::format("{}, {} filter",
-                            process ? "B: whole process" : "A: trace + reconstruct", row->name);
-  panel.xLabel = "seconds, median and quartiles";
-  for (const Metric& m : kMetrics)
-    if (metric == m.name) panel.yLabel = m.label;
-  std::vector<std::string> lines;
-  for (std::size_t i = 0; i < chart.points.size(); ++i) {
-    const Point& point = chart.points[i];
-    const std::string line = lineOf(point);
-    auto place = std::find(lines.begin(), lines.end(), line);
-    if (place == lines.end()) place = lines.insert(lines.end(), line);
-    if (point.filter != row) continue;
-    auto curve = std::find_if(panel.curves.begin(), panel.curves.end(),
-                              [&](const Curve& c) { return c.label == line; });
-    if (curve == panel.curves.end()) {
-      const auto colour = static_cast<std::size_t>(place - lines.begin()) % std::size(kPalette);
-      curve = panel.curves.insert(curve, {line, kPalette[colour], shapeOf(point), {}, true});
-    }
-    const auto& seconds = process ? point.processSeconds : point.passSeconds;
-    const double x = quantile(seconds, 0.5), y = valueOf(point, chart, metric);
-    const std::string samples =
-        point.samples > 0 ? fmt::format("{:g}", std::round(point.samples * 10.0) / 10.0) : "";
-    curve->marks.push_back({x, quantile(seconds, 0.25), quantile(seconds, 0.75), y, anchorOf(i),
-                            fmt::format("{}{}: {}, {} {:.3g}", point.series,
-                                        samples.empty() ? "" : ", " + samples + " samples a pixel",
-                                        milliseconds(x), metric, y),
-                            samples});
-  }
-  if (metric == "unexplained") return panel;
-  panel.slopes = {-0.5, -0.75};
-  const Truth& truth = chart.truths[filter];
-  const bool relative = metric == "relmse";
-  if (relative) panel.slopes.clear();  // squares: the slopes double, and the lines are of RMSE
-  panel.levels.push_back(
-      {relative ? truth.relativeBand : truth.band, "the reference's own error", true});
-  if (!relative) panel.levels.push_back({chart.floatFloor, "float floor", false});
-  return panel;
-}
-
-Panel methodPanel(const Chart& chart, const std::string& quantity) {
-  Panel panel;
-  panel.title = "C: intersection without noise";
-  panel.xLabel = "nanoseconds a ray, median and quartiles";
-  panel.yLabel = quantity == "t"        ? "99th percentile of the error of t, ulp"
-                 : quantity == "normal" ? "99th percentile of the error of the normal, 2^-24"
-                                        : "unexplained answers, share of aimed rays";
-  std::map<std::string, std::uint64_t> worst;  // by laver's boxes, of both forms of nodes
-  std::uint64_t plain = 0;                     // of laver's triangles by plain slabs
-  for (std::size_t i = 0; i < chart.methods.size(); ++i) {
-    const MethodPoint& m = chart.methods[i];
-    auto curve = std::find_if(panel.curves.begin(), panel.curves.end(),
-                              [&](const Curve& c) { return c.label == m.triangles; });
-    if (curve == panel.curves.end())
-      curve = panel.curves.insert(curve, {m.triangles,
-                                          kPalette[panel.curves.size() % std::size(kPalette)],
-                                          Shape::Disc,
-                                          {},
-                                          false});
-    const double share = static_cast<double>(m.unexplained) / static_cast<double>(m.rays);
-    const double y = quantity == "t" ? m.t99 : quantity == "normal" ? m.normal99 : share;
-    const std::string form = (m.boxes == "ours"           ? "o"
-                              : m.boxes == "robust slabs" ? "r"
-                                                          : "p") +
-                             std::string(m.nodes == "32 bits" ? "" : "8");
-    curve->marks.push_back(
-        {m.nanoseconds, m.quartiles[0], m.quartiles[1], y, methodAnchor(i),
-         fmt::format("{}, {}, {}: {:.3g} ns a ray, {} of {} aimed rays unexplained", m.triangles,
-                     m.boxes, m.nodes, m.nanoseconds, m.unexplained, m.rays),
-         form});
-    if (m.boxes == "ours") worst[m.triangles] = std::max(worst[m.triangles], m.unexplained);
-    if (m.boxes == "plain slabs" && m.triangles == "ours") plain = std::max(plain, m.unexplained);
-  }
-  panel.notes = {"boxes: p plain, r robust,", "o ours; 8: nodes of 8 bits"};
-  if (chart.methods.empty()) return panel;
-  panel.notes.push_back(fmt::format("unexplained of {} rays,", chart.methods[0].rays));
-  panel.notes.emplace_back("by boxes o:");
-  for (const Curve& curve : panel.curves)
-    panel.notes.push_back(fmt::format("  {} {}", worst[curve.label], curve.label));
-  panel.notes.push_back(fmt::format("by boxes p: {} ours", plain));
-  return panel;
+Figure figureOf(const Chart& chart) {
+  Figure figure;
+  figure.title =
+      "Speed against accuracy: " + std::filesystem::path(chart.scene).filename().string();
+  figure.introduction = {fmt::format(
+      "Each mark is one way to render the same picture of {} x {} pixels: further left is "
+      "faster, further down is closer to the exact picture. The number beside a mark is "
+      "the samples (camera rays) per pixel. A sampler chooses where in a pixel they lie; "
+      "an adaptive one gives more samples to noisy pixels.",
+      chart.width, chart.height)};
+  for (Panel& panel : std::vector{samplerPanel(chart), traversalPanel(chart), processPanel(chart),
+                                  methodPanel(chart)})
+    if (!panel.curves.empty()) figure.panels.push_back(std::move(panel));
+  figure.notes = notesOf(chart);
+  return figure;
 }
 
 }  // namespace laver::chart

@@ -1,7 +1,6 @@
 #pragma once
-#include <functional>
+#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,32 +8,40 @@
 
 namespace laver::chart {
 
+/// Exit code of a peer that cannot run here (EX_UNAVAILABLE of sysexits.h).
+inline constexpr int kUnavailable = 69;
+/// The same of `env` and shells: there is no such program.
+inline constexpr int kNotFound = 127;
+
 /// One render by a process of its own.
 // NOLINTNEXTLINE(bugprone-exception-escape): moving JSON asserts, and throws nothing
 struct Run {
-  double seconds = 0;    ///< from the start of the process to its end
-  nlohmann::json stats;  ///< what its --stats=FILE.json left
+  int exitCode = 0;
+  double seconds = 0;     ///< of the whole process
+  nlohmann::json stats;   ///< what its --stats=FILE.json holds; null where it failed
+  std::string lastError;  ///< the last line of stderr
 };
 
-/// Renders by processes that take laver's options. Their files lie in a folder and are removed.
+/// Renders by programs that take laver's options. Their files lie in a folder and are removed.
 class Runner {
  public:
-  explicit Runner(std::string folder) : folder_(std::move(folder)) {}
+  explicit Runner(std::filesystem::path folder) : folder_(std::move(folder)) {}
   ~Runner();
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
 
-  /// `program arguments... -o FILE.exr --stats=FILE.json --quiet`. Throws Error with the code and
-  /// the last line of stderr of a process that fails; none where `stop` says why it ended.
-  std::optional<Run> run(const std::string& program, std::vector<std::string> arguments,
-                         const std::function<bool()>& stop) const;
+  /// `command... -o FILE.exr --stats=FILE.json --quiet`. Throws Error(Usage) where it cannot be
+  /// started.
+  Run run(std::vector<std::string> command) const;
 
-  /// The picture of the latest run.
+  /// R, G and B of the latest run's picture. Throws Error.
   Image picture() const;
 
  private:
-  std::string file(const char* extension) const { return folder_ + "/running" + extension; }
-  std::string folder_;
+  std::string file(const char* extension) const {
+    return (folder_ / "running").string() + extension;
+  }
+  std::filesystem::path folder_;
 };
 
 }  // namespace laver::chart

@@ -1,0 +1,55 @@
+#include <gtest/gtest.h>
+
+#include "bench/report.h"
+#include "core/error.h"
+#include "unit/image_test_folder.h"
+
+namespace laver::bench {
+namespace {
+
+Report someReport() {
+  Report report({{"date", "2026-01-02"}, {"machine", "a machine"}});
+  report.section("Rays", {{"rays", 2000}});
+  report.timing("laver", {0.004, 0.002, 0.003}, 3000);
+  report.timing("other", {0.006}, 3000, 0.003);
+  report.figure("other / laver", 2.0, "");
+  return report;
+}
+
+TEST(BenchReport, ReplacesTheTablesOfADocumentAndKeepsItsText) {
+  const image_test::Folder folder;
+  const std::string file = folder.file("README.md");
+  std::ofstream(file) << "# Speed\n\n<!-- figures -->\nold\n";
+  someReport().saveMarkdown(file);
+  const std::string text = image_test::contents(file);
+  EXPECT_EQ(text.rfind("# Speed\n\n<!-- figures -->\n", 0), 0U) << text;
+  EXPECT_EQ(text.find("old"), std::string::npos);
+  for (const char* line :
+       {"| date | 2026-01-02 |\n", "| machine | a machine |\n", "| other / laver | 2 |\n",
+        "### Rays\n\nrays: 2000\n", "| laver | 3.00 | 2.50 to 3.50 | 1 |  |\n",
+        "| other | 6.00 | 6.00 to 6.00 | 0.5 | 2.00 |\n"})
+    EXPECT_NE(text.find(line), std::string::npos) << line << text;
+  someReport().saveMarkdown(file);
+  EXPECT_EQ(image_test::contents(file), text);
+}
+
+TEST(BenchReport, LeavesADocumentWithoutAPlaceForTablesAlone) {
+  const image_test::Folder folder;
+  const std::string file = folder.file("README.md");
+  std::ofstream(file) << "# Speed\n";
+  image_test::expectError(ExitCode::Output, "has no line",
+                          [&] { someReport().saveMarkdown(file); });
+  EXPECT_EQ(image_test::contents(file), "# Speed\n");
+}
+
+TEST(BenchReport, KeepsEverySingleTimeInJson) {
+  const image_test::Folder folder;
+  someReport().saveJson(folder.file("bench.json"));
+  const auto json = nlohmann::json::parse(std::ifstream(folder.file("bench.json")));
+  EXPECT_EQ(json["sections"][0]["timings"][0]["seconds"].size(), 3U);
+  EXPECT_EQ(json["sections"][0]["timings"][1]["ratio"], 2.0);
+  EXPECT_EQ(json["about"]["machine"], "a machine");
+}
+
+}  // namespace
+}  // namespace laver::bench
