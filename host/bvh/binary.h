@@ -13,7 +13,7 @@ struct alignas(16) BinaryNode {
   glm::vec3 lo;
   std::uint32_t leftCount;  ///< items of the left child
   glm::vec3 hi;
-  Choices choices;  ///< of the collapse into wide nodes
+  CollapseChoices choices;  ///< of the collapse into wide nodes
   Box4 box() const { return std::bit_cast<Box4>(*this); }
 };
 

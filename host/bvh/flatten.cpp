@@ -142,7 +142,7 @@ class Flattener {
 
   void expand(const Subtree& s, unsigned trees, Children& children) const {
     if (s.count > 1) {
-      const Choices choices = tree_.nodes[s.node].choices;
+      const CollapseChoices choices = tree_.nodes[s.node].choices;
       while (trees > 1 && choices.left(trees) == 0) --trees;
       if (trees > 1) {
         const unsigned left = choices.left(trees);

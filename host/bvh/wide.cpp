@@ -18,7 +18,7 @@ Forest oneItem(float area) {
   return forest;
 }
 
-Forest twoItems(float area, float left, float right, Choices& choices) {
+Forest twoItems(float area, float left, float right, CollapseChoices& choices) {
   const float apart = left * kTriangleCost + right * kTriangleCost;
   const float leaf = area * 2.0F * kTriangleCost, inner = apart + area * kNodeCost;
   Forest forest;
@@ -29,7 +29,7 @@ Forest twoItems(float area, float left, float right, Choices& choices) {
 }
 
 Forest joined(const Forest& left, std::uint32_t leftCount, const Forest& right,
-              std::uint32_t rightCount, float area, Choices& choices) {
+              std::uint32_t rightCount, float area, CollapseChoices& choices) {
   static_assert(shared::NODE_WIDTH == 8);
   // Lane t - 1 of (low, high): the least cost of t trees, of which the left child gets k.
   Float4 low = splat(kInfinity), high = low;

@@ -20,7 +20,7 @@ struct Forest {
 /// How a subtree's least costs are reached, in nibbles. Nibble i > 0: of i + 1 trees those of the
 /// left child, or 0 where one tree fewer costs no more. Nibble 0: trees that the left child gets
 /// below a wide node here, or 0 where the whole subtree is best one leaf.
-struct Choices {
+struct CollapseChoices {
   std::uint32_t nibbles;
   unsigned left(unsigned trees) const { return nibbles >> 4 * (trees - 1) & 15U; }
 };
@@ -28,10 +28,10 @@ struct Choices {
 Forest oneItem(float area);
 
 /// Two items of the given half areas below a box of half area `area`.
-Forest twoItems(float area, float left, float right, Choices& choices);
+Forest twoItems(float area, float left, float right, CollapseChoices& choices);
 
 /// Two subtrees of `leftCount` and `rightCount` items below a box of half area `area`.
 Forest joined(const Forest& left, std::uint32_t leftCount, const Forest& right,
-              std::uint32_t rightCount, float area, Choices& choices);
+              std::uint32_t rightCount, float area, CollapseChoices& choices);
 
 }  // namespace laver

@@ -178,8 +178,6 @@ void addChartOptions(CLI::App& app, ChartCommand& command) {
   addSize(app, command.size, "size of the film in pixels; default 256 wide");
   app.add_option("--device", command.device, "as in rendering");
   app.add_option("-t,--threads", command.threads, "as in rendering")->check(CLI::Range(0U, 4096U));
-  app.add_option("--metric", command.metric, "error to show first: rmse, relmse or unexplained")
-      ->check(CLI::IsMember({"rmse", "relmse", "unexplained"}));
   app.add_option("--runs", command.runs, "renders of each point; the median counts")
       ->check(CLI::Range(1U, 1000U));
   app.add_option("--spp", command.samples, "samples per pixel at most")

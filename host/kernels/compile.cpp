@@ -89,7 +89,7 @@ Spirv compileGlsl(const std::string& text, Effort effort) {
   if (!program.link(messages)) refuse(program.getInfoLog());
   Spirv module;
   glslang::GlslangToSpv(*program.getIntermediate(EShLangCompute), module);
-  return optimised(module, effort);
+  return effort == Effort::None ? module : optimised(module, effort);
 }
 
 std::string compilerVersion() {

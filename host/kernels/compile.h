@@ -10,6 +10,7 @@ using Spirv = std::vector<std::uint32_t>;
 
 /// How much time goes into a module that the driver then compiles sooner.
 enum class Effort {
+  None,     ///< as glslang makes it: for tests
   Quick,    ///< some 0.2 s: for kernels composed while a render waits
   Thorough  ///< some 2 s: for those that are embedded
 };

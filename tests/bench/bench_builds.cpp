@@ -6,7 +6,7 @@
 #include "bench/embree_builds.h"
 #include "bench/scenes.h"
 #include "core/error.h"
-#include "render/scene_data.h"
+#include "render/packed.h"
 
 namespace laver::bench {
 namespace {
@@ -30,7 +30,7 @@ void benchBuilds(Report& report, const EmbreeDevices& devices, const Rounds& rou
     const std::string title = titleOf("bunny", subdivided);
     const Scene scene = benchScene("bunny", subdivided, "direct_whitted", 1);
     const EmbreeMesh mesh(scene);
-    auto triangles = packScene(scene, {}, specialise(scene, {})).bvh.triangles;
+    auto triangles = pack(scene, {}, uploadsOf(scene, {})).bvh.triangles;
     std::sort(triangles.begin(), triangles.end(),
               [](const auto& a, const auto& b) { return a.id < b.id; });
     Bvh bvh;

@@ -37,8 +37,8 @@ void measure(Report& report, const Setup& setup, std::size_t rounds) {
   std::vector<double> trace, skipping, reconstruct, compile;
   Stats stats;
   for (std::size_t round = 0; round <= rounds; ++round) {
-    const auto every = renderWithLaver(scene, setup.threads, fasterPackets(scene), true);
-    stats = renderWithLaver(scene, setup.threads, fasterPackets(scene));
+    const auto every = renderWithLaver(scene, setup.threads, traversalName(fasterPackets(scene)), true);
+    stats = renderWithLaver(scene, setup.threads, traversalName(fasterPackets(scene)));
     if (round == 0) continue;
     trace.push_back(every.seconds.trace);
     skipping.push_back(stats.seconds.trace);
@@ -50,7 +50,7 @@ void measure(Report& report, const Setup& setup, std::size_t rounds) {
                              counted(setup.threads, "thread")),
                  {{"triangles", stats.triangles},
                   {"camera rays", rays},
-                  {"share of the film that can see geometry", stats.seen}});
+                  {"share of the film that can see geometry", stats.coverage}});
   report.timing("trace, all pixels, " + stats.traversal, trace, rays);
   report.timing("trace, pixels that can see geometry", skipping, rays, median(trace));
   report.timing("reconstruct", reconstruct);

@@ -170,9 +170,9 @@ void benchRays(Report& report, const EmbreeDevices& devices, const Rounds& round
   for (const int subdivided : {0, 2}) {
     if (rounds.brief && subdivided > 0) continue;
     const Scene scene = benchScene("bunny", subdivided, "direct_whitted", 1);
-    const SceneData data = packScene(scene, {}, specialise(scene, {}));
+    const Packed data = pack(scene, {}, uploadsOf(scene, {}));
     const EmbreeScenes embree(devices, scene);
-    Tracers laver{{device, data.bvh, "lane"}, {device, data.bvh, fasterPackets(scene)}};
+    Tracers laver{{device, data.bvh, "lane"}, {device, data.bvh, traversalName(fasterPackets(scene))}};
     const std::string title = titleOf("bunny", subdivided);
     const auto rays = cameraRays(data);
     const auto hits = laver.lane.closest(rays);

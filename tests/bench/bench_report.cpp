@@ -2,7 +2,8 @@
 
 #include "bench/report.h"
 #include "core/error.h"
-#include "unit/image_test_folder.h"
+#include "support/expect_error.h"
+#include "support/temporary_folder.h"
 
 namespace laver::bench {
 namespace {
@@ -17,11 +18,11 @@ Report someReport() {
 }
 
 TEST(BenchReport, ReplacesTheTablesOfADocumentAndKeepsItsText) {
-  const image_test::Folder folder;
-  const std::string file = folder.file("README.md");
+  const test::TemporaryFolder folder;
+  const std::string file = folder.path("README.md");
   std::ofstream(file) << "# Speed\n\n<!-- figures -->\nold\n";
   someReport().saveMarkdown(file);
-  const std::string text = image_test::contents(file);
+  const std::string text = test::contents(file);
   EXPECT_EQ(text.rfind("# Speed\n\n<!-- figures -->\n", 0), 0U) << text;
   EXPECT_EQ(text.find("old"), std::string::npos);
   for (const char* line :
@@ -30,22 +31,22 @@ TEST(BenchReport, ReplacesTheTablesOfADocumentAndKeepsItsText) {
         "| other | 6.00 | 6.00 to 6.00 | 0.5 | 2.00 |\n"})
     EXPECT_NE(text.find(line), std::string::npos) << line << text;
   someReport().saveMarkdown(file);
-  EXPECT_EQ(image_test::contents(file), text);
+  EXPECT_EQ(test::contents(file), text);
 }
 
 TEST(BenchReport, LeavesADocumentWithoutAPlaceForTablesAlone) {
-  const image_test::Folder folder;
-  const std::string file = folder.file("README.md");
+  const test::TemporaryFolder folder;
+  const std::string file = folder.path("README.md");
   std::ofstream(file) << "# Speed\n";
-  image_test::expectError(ExitCode::Output, "has no line",
+  test::expectError(ExitCode::Output, "has no line",
                           [&] { someReport().saveMarkdown(file); });
-  EXPECT_EQ(image_test::contents(file), "# Speed\n");
+  EXPECT_EQ(test::contents(file), "# Speed\n");
 }
 
 TEST(BenchReport, KeepsEverySingleTimeInJson) {
-  const image_test::Folder folder;
-  someReport().saveJson(folder.file("bench.json"));
-  const auto json = nlohmann::json::parse(std::ifstream(folder.file("bench.json")));
+  const test::TemporaryFolder folder;
+  someReport().saveJson(folder.path("bench.json"));
+  const auto json = nlohmann::json::parse(std::ifstream(folder.path("bench.json")));
   EXPECT_EQ(json["sections"][0]["timings"][0]["seconds"].size(), 3U);
   EXPECT_EQ(json["sections"][0]["timings"][1]["ratio"], 2.0);
   EXPECT_EQ(json["about"]["machine"], "a machine");

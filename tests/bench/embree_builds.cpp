@@ -12,7 +12,7 @@ struct TreeNode {
   std::uint32_t triangles = 0;  // of a leaf
   std::uint32_t count = 0;
   void* child[shared::NODE_WIDTH];
-  Box box[shared::NODE_WIDTH];
+  test::Box box[shared::NODE_WIDTH];
 };
 
 void* createNode(RTCThreadLocalAllocator allocator, unsigned count, void*) {
@@ -76,7 +76,7 @@ std::vector<CostItem> embreeTree(const EmbreeDevice& device, const EmbreeMesh& m
   // HIGH splits triangles into as many again.
   primitives.reserve(mesh.triangles.size() * 2);
   for (const glm::uvec3& t : mesh.triangles) {
-    Box box;
+    test::Box box;
     for (const std::uint32_t corner : {t.x, t.y, t.z}) box.grow(mesh.positions[corner]);
     primitives.push_back({box.lo.x, box.lo.y, box.lo.z, 0, box.hi.x, box.hi.y, box.hi.z,
                           static_cast<unsigned>(primitives.size())});

@@ -10,7 +10,7 @@ namespace laver::bench {
 
 /// A node (no triangles) or a leaf of any tree, with the box that its parent keeps of it.
 struct CostItem {
-  Box box;
+  test::Box box;
   std::uint32_t triangles;
 };
 

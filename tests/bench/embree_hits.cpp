@@ -21,7 +21,7 @@ class EmbreeHits : public testing::Test {
   }
 
   const Scene scene_ = benchScene("torus", 0, "depth", 1);
-  const SceneData data_ = packScene(scene_, {}, specialise(scene_, {}));
+  const Packed data_ = pack(scene_, {}, uploadsOf(scene_, {}));
   const std::vector<TestRay> rays_ = cameraRays(data_);
   const Instance instance_{false};
   const Device device_{choosePhysicalDevice(instance_, "cpu")};
@@ -50,7 +50,7 @@ TEST_F(EmbreeHits, AreLaversTrianglesAtEveryPacketWidth) {
 
 TEST_F(EmbreeHits, AgreeWithLaverOnShadows) {
   Scene lit = benchScene("torus", 0, "direct_whitted", 1);
-  const SceneData data = packScene(lit, {}, specialise(lit, {}));
+  const Packed data = pack(lit, {}, uploadsOf(lit, {}));
   const auto points = litPoints(data, rays_, laver_);
   const glm::vec3 light = data.lights.front().position;
   const auto ours = tracer_.visible(light, points);

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "core/error.h"
-#include "render/scene_data.h"
+#include "render/packed.h"
 
 namespace laver::bench {
 namespace {

@@ -28,9 +28,9 @@ constexpr float kOffset = 1e-5F;
 
 }  // namespace
 
-std::vector<TestRay> cameraRays(const SceneData& data) {
+std::vector<TestRay> cameraRays(const Packed& data) {
   const shared::Params& p = data.params;
-  const std::uint32_t width = p.film.x, height = p.film.y, rows = height / 8;
+  const std::uint32_t width = p.filmSize.x, height = p.filmSize.y, rows = height / 8;
   auto stride = static_cast<std::uint32_t>(0.618 * rows);
   while (std::gcd(stride, rows) != 1) ++stride;
   std::mt19937 engine(1);
@@ -46,8 +46,7 @@ std::vector<TestRay> cameraRays(const SceneData& data) {
             static_cast<float>(width) - 2.0F * (static_cast<float>(x) + jitter(engine));
         const float fy =
             static_cast<float>(height) - 2.0F * (static_cast<float>(y) + jitter(engine));
-        rays.push_back({vec3(p.origin), p.clip.x,
-                        vec3(p.columnX) * fx + vec3(p.columnY) * fy + vec3(p.columnZ), p.clip.y});
+        rays.push_back({p.origin, p.tmin, p.columnX * fx + p.columnY * fy + p.columnZ, p.tmax});
       }
   return rays;
 }
@@ -57,7 +56,7 @@ std::vector<TestRay> shuffled(std::vector<TestRay> rays) {
   return rays;
 }
 
-std::vector<vec3> litPoints(const SceneData& data, std::span<const TestRay> rays,
+std::vector<vec3> litPoints(const Packed& data, std::span<const TestRay> rays,
                             std::span<const TestHit> hits) {
   const auto normals = normalsOf(data.bvh);
   const vec3 light = data.lights.front().position;
@@ -71,7 +70,7 @@ std::vector<vec3> litPoints(const SceneData& data, std::span<const TestRay> rays
   return points;
 }
 
-std::vector<TestRay> bounced(const SceneData& data, std::span<const TestRay> rays,
+std::vector<TestRay> bounced(const Packed& data, std::span<const TestRay> rays,
                              std::span<const TestHit> hits) {
   const auto normals = normalsOf(data.bvh);
   std::mt19937 engine(3);

@@ -45,7 +45,7 @@ std::string counted(std::size_t count, const std::string& thing) {
 Scene benchScene(const std::string& name, int times, const std::string& integrator,
                  std::uint32_t samples) {
   SceneOverrides overrides;
-  overrides.integrator = integratorFromName(integrator);
+  overrides.integrator = IntegratorUse{rowCalled(integratorRows(), integrator)};
   overrides.sampleCount = samples;
   Scene scene = loadScene(sceneFile("tests/bench/scenes/" + name + ".xml"), overrides).scene;
   for (Mesh& mesh : scene.meshes) {

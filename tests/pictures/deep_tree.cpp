@@ -1,7 +1,7 @@
 // A tree deeper than the kernels' first guess of its stack.
 #include "pictures/harness.h"
 #include "reference/reference.h"
-#include "render/specialise.h"
+#include "render/tiling.h"
 
 namespace laver::test {
 namespace {

@@ -5,6 +5,7 @@
 #include "pictures/command_line.h"
 #include "pictures/explain.h"
 #include "pictures/harness.h"
+#include "support/bumpy_sphere.h"
 #include "render/choices.h"
 
 namespace laver::test {

@@ -64,7 +64,7 @@ TEST(Scenes, EveryFilterEqualsTheReferenceExactAndByNorisTable) {
     if (kind == &filters::box) scene.filter.radius = 0.5;
     for (const bool compat : {false, true}) {
       SCOPED_TRACE(testing::Message()
-                   << "filter " << static_cast<int>(kind) << " compat " << compat);
+                   << "filter " << kind->name << " compat " << compat);
       expectMatch(scene, compat);
     }
   }
@@ -74,7 +74,7 @@ TEST(Scenes, EveryFilterEqualsTheReferenceExactAndByNorisTable) {
 
 TEST(Scenes, EverySamplerEqualsTheReference) {
   Scene scene = smallScene("cornell-two-lights.xml", 96, 6);
-  for (const const SamplerRow* kind : {&samplers::stratified, &samplers::sobol}) {
+  for (const SamplerRow* kind : {&samplers::stratified, &samplers::sobol}) {
     SCOPED_TRACE(kind->name);
     scene.sampler.row = kind;
     expectMatch(scene);

@@ -66,7 +66,7 @@ void expectMatch(const Scene& scene, bool alsoGeneric = false) {
 TEST(Spheres, EveryIntegratorEqualsTheReference) {
   for (const IntegratorRow* integrator : kAll) {
     SCOPED_TRACE(integrator->name);
-    expectMatch(someSpheres(integrator));
+    expectMatch(someSpheres(*integrator));
   }
 }
 

@@ -6,7 +6,6 @@
 #include "pictures/explain.h"
 #include "pictures/harness.h"
 #include "render/choices.h"
-#include "render/texture_data.h"
 #include "support/bumpy_sphere.h"
 #include "unit/reference_scenes.h"
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "pictures/harness.h"
-#include "render/plan.h"
+#include "render/tiling.h"
 #include "stability/record.h"
 
 namespace laver::test {
@@ -32,8 +32,8 @@ LAVER_STABILITY(Limits, "Buffer limits") {
             const double all = 100.0 * width * samples * kSampleBytes;
             naive += all > range ? 1 : 0;
             try {
-              const RenderPlan plan =
-                  planRender(limits, {0, 0, width, 100}, width, 100, apron, samples, 0);
+              const Tiling plan =
+                  tile(limits, {{0, 0, width, 100}, width, 100, apron, samples});
               beyond += plan.sampleSlots * kSampleBytes > range || plan.sampleSlots > texels ||
                                 plan.bandPixels * sizeof(shared::FilmPixel) > range
                             ? 1

@@ -59,12 +59,11 @@ bool meets(const Bvh& bvh, vec3 origin, vec3 direction, Method method) {
         const auto span = shared::boxSpan(ray, 0.0F, child.lo, child.hi);
         return span.near <= span.far;
       },
-      [&](const shared::Triangle& t, float&) {
+      [&](const shared::Triangle& t) {
         TestHit hit;
-        found = method == Method::WoopContracted
-                    ? woopContracted(origin, direction, t)
-                    : moellerTrumbore(origin, direction, t, 0.0F, INFINITY, hit);
-        return found;
+        return method == Method::WoopContracted
+                   ? woopContracted(origin, direction, t)
+                   : moellerTrumbore(origin, direction, t, 0.0F, INFINITY, hit);
       });
 }
 

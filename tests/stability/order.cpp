@@ -48,9 +48,12 @@ std::uint32_t naiveWinner(const Bvh& bvh, const TestRay& ray) {
   const auto box = shared::boxRayOf(ray.origin, ray.direction, shared::shearOf(ray.direction).axis);
   float nearest = INFINITY;
   walk(
-      bvh, ray.direction, 3.4e38F,
-      [&](glm::vec3 lo, glm::vec3 hi) { return shared::boxSpan(box, 0.0F, lo, hi); },
-      [&](const shared::Triangle& t, float&) {
+      bvh, octantOf(ray.direction),
+      [&](const shared::Child& child) {
+        const auto span = shared::boxSpan(box, 0.0F, child.lo, child.hi);
+        return span.near <= span.far;
+      },
+      [&](const shared::Triangle& t) {
         TestHit hit{};
         if (naive::moellerTrumbore(ray.origin, ray.direction, t, 0.0F, INFINITY, hit) &&
             hit.t < nearest) {

@@ -1,26 +1,21 @@
 // What the compiled kernels let a driver do: contract, drop NaN, compute with 64 bits.
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cstdio>
-#include <filesystem>
-#include <memory>
+#include <spirv-tools/libspirv.hpp>
 
+#include "kernels/compile.h"
+#include "kernels/compose.h"
+#include "render/materials.h"
 #include "stability/record.h"
 #include "stability/spirv_lint.h"
 
 namespace laver::test {
 namespace {
 
-std::string disassembly(const std::string& name) {
-  const std::string command =
-      std::string(LAVER_SPIRV_DIS) + " --no-color '" + LAVER_SPIRV_DIR + "/" + name + ".spv'";
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(::popen(command.c_str(), "r"), ::pclose);
+std::string disassembly(const Spirv& module) {
   std::string text;
-  std::array<char, 4096> part{};
-  while (pipe != nullptr && std::fgets(part.data(), part.size(), pipe.get()) != nullptr)
-    text += part.data();
-  EXPECT_FALSE(text.empty()) << command;
+  EXPECT_TRUE(spvtools::SpirvTools(SPV_ENV_VULKAN_1_1)
+                  .Disassemble(module, &text, SPV_BINARY_TO_TEXT_OPTION_NONE));
   return text;
 }
 
@@ -30,48 +25,66 @@ std::string without(std::string text, const std::string& word) {
   return text;
 }
 
-/// The kernels of laver itself, as the build names them: shaders/NAME.comp becomes NAME_*.spv.
-std::vector<std::string> productionKernels() {
-  std::vector<std::string> names;
-  for (const auto& file : std::filesystem::directory_iterator(LAVER_SPIRV_DIR)) {
-    const std::string name = file.path().stem();
-    if (file.path().extension() != ".spv" || name.ends_with(".embedded")) continue;
-    for (const auto& source :
-         std::filesystem::directory_iterator(std::string(LAVER_SOURCE_DIR) + "/shaders"))
-      if (source.path().extension() == ".comp" &&
-          name.starts_with(source.path().stem().string() + "_"))
-        names.push_back(name);
-  }
-  std::sort(names.begin(), names.end());
-  return names;
+struct LintedKernel {
+  std::string name, text;
+  bool packet;
+  bool traces;
+};
+
+/// Trace kernels of every integrator and layer by every traversal, with all that a scene can need, and
+/// gathering by every filter.
+std::vector<LintedKernel> everyKernel() {
+  std::vector<LintedKernel> kernels;
+  std::vector<std::string> integrators = {"centres", "shading_normal", "albedo"};
+  for (const IntegratorRow* row : integratorRows()) integrators.emplace_back(row->name);
+  const char* samplerOf[] = {"independent", "stratified", "sobol"};
+  for (const std::string& integrator : integrators)
+    for (const Traversal traversal : {Traversal::Lane, Traversal::Packet32, Traversal::Packet64}) {
+      TraceKey key;
+      key.integrator = integrator;
+      key.traversal = traversal;
+      key.sampler = samplerOf[kernels.size() % 3];
+      key.jumpLevels = 3;
+      key.bsdfs = {"diffuse"};
+      key.textures = allTextureNames();
+      key.background = "environment";
+      key.normals = key.materials = key.bsdfRecords = key.spheres = key.lights = true;
+      key.manyLights = key.byteImages = key.floatImages = true;
+      if (integrator == integrators::averageVisibility.name)
+        key.properties = {{"float", "length", ""}};
+      kernels.push_back({integrator + ", " + traversalName(traversal), compose(key),
+                         isPacket(traversal), true});
+    }
+  for (const char* filter : {"gaussian", "gaussian_narrow", "mitchell", "tent", "box", "table"})
+    for (const bool strips : {false, true}) {
+      GatherKey key;
+      key.filter = filter;
+      key.strips = strips;
+      kernels.push_back({std::string(filter) + (strips ? ", strips" : ""), compose(key), strips,
+                         false});
+    }
+  return kernels;
 }
 
 LAVER_STABILITY(Spirv, "SPIR-V: NoContraction, no min or max of NaN, no arithmetic of 64 bits") {
-  const auto kernels = productionKernels();
-  EXPECT_GE(kernels.size(), 40U);
-  for (const std::string& name : kernels) {
-    const std::string text = disassembly(name);
+  for (const auto& [name, glsl, packet, traces] : everyKernel()) {
+    const std::string text = disassembly(compileGlsl(glsl, Effort::None));
     const KernelCounts counts = countOf(text);
-    const bool packet = name.find("_packet") != std::string::npos;
     const auto faults = lint(counts, packet);
     // A function that was renamed would escape the list.
-    if (name.rfind("gather", 0) != 0) {
-      for (const char* needed : {"differenceOfProducts", "edgesOf", "depthOf", "shearOf", "pointAt",
-                                 "filmPosition", "insidePixel", "cameraDirection"}) {
-        const bool drawn = name.rfind("centres", 0) != 0 || needed != std::string("filmPosition");
-        EXPECT_EQ(counts.functions.count(needed), drawn ? 1U : 0U) << name << ", " << needed;
-      }
-    }
+    for (const char* needed : {"differenceOfProducts", "edgesOf", "depthOf", "shearOf", "pointAt",
+                               "filmPosition", "insidePixel", "cameraDirection"})
+      EXPECT_EQ(counts.functions.count(needed), traces ? 1U : 0U) << name << ", " << needed;
     for (const std::string& fault : faults) ADD_FAILURE() << name << ": " << fault;
 
-    // What is embedded holds precise functions more often than others, inlined and unrolled. Where
-    // one of the two drops the decoration, its share falls: to a half or a third, when tried.
-    EXPECT_GE(decoratedShare(countOf(disassembly(name + ".embedded"))), decoratedShare(counts))
-        << name;
+    // Optimised modules hold precise functions more often than others, inlined and unrolled. Where a
+    // pass drops the decoration, its share falls: to a half or a third, when tried.
+    const Spirv quick = compileGlsl(glsl, Effort::Quick);
+    EXPECT_GE(decoratedShare(countOf(disassembly(quick))), decoratedShare(counts)) << name;
 
     // The same kernel without `precise`.
     const std::string plain = without(text, "NoContraction");
-    record.add({name + ".spv", "naive: no precise",
+    record.add({name, "naive: no precise",
                 static_cast<std::uint64_t>(preciseArithmetic(counts).arithmetic),
                 static_cast<double>(lint(countOf(plain), packet).size()),
                 static_cast<double>(faults.size()), 0.0, "faults"});

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace laver::test {
+#include "core/numeric.h"
 
-namespace laver::stability {
+namespace laver::test {
 
 inline double maximum(const std::vector<double>& values) {
   return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());

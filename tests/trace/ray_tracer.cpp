@@ -17,9 +17,7 @@
 #include "vulkan/bindings.h"
 #include "vulkan/kernel.h"
 
-namespace laver {
-
-namespace test {
+namespace laver::test {
 
 std::string testText(const std::string& name) {
   std::ifstream file(std::string(LAVER_SOURCE_DIR) + "/tests/trace/" + name);

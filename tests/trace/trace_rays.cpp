@@ -43,7 +43,7 @@ class TraceRays : public testing::Test {
 
   Instance instance_{false};
   Device device_{choosePhysicalDevice(instance_, "cpu")};
-  Packed scene_ = pack(bumpyBall(), {}, uploadsOf(bumpyBall(), {}));
+  Packed scene_ = pack(closedBumpySphere(), {}, uploadsOf(closedBumpySphere(), {}));
   RayTracer lane_{device_, scene_.bvh, "lane"};
   std::mt19937 engine_{17};
 };

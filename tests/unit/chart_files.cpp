@@ -38,7 +38,7 @@ TEST(ChartJson, HoldsEveryPointAndHowItWasMade) {
   EXPECT_EQ(points[0]["seconds"]["median"], 0.012);
   EXPECT_EQ(points[0]["seconds"]["runs"].size(), 3U);
   EXPECT_FALSE(points[0].contains("mismatches"));
-  EXPECT_EQ(points[1]["mismatches"]["unexcused"], 2);
+  EXPECT_EQ(points[1]["mismatches"]["unexplained"], 2);
   EXPECT_EQ(json["reference"]["samples"], 128);
   EXPECT_EQ(json["missing"][0], "another: not installed");
   EXPECT_EQ(json["methods"].size(), 1U);

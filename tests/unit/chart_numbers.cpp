@@ -11,20 +11,13 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-TEST(ChartNumbers, TheFrontHoldsWhatNoOtherBeats) {
-  const Place places[] = {{3, 1}, {1, 3}, {2, 3}, {2, 2}, {2, 2}, {4, 1}, {kNaN, 0}, {0.5, kNaN}};
-  EXPECT_EQ(paretoFront(places), (std::vector<std::size_t>{1, 3, 0}));
-  EXPECT_TRUE(paretoFront({}).empty());
-}
-
-TEST(ChartNumbers, SlopesAreThoseOfPowers) {
-  std::vector<Place> places;
-  for (const double x : {1.0, 4.0, 16.0, 64.0}) places.push_back({x, 0.3 * std::pow(x, -0.75)});
-  EXPECT_NEAR(logSlope(places), -0.75, 1e-12);
-  places.push_back({0.0, 1.0});  // has no logarithm
-  EXPECT_NEAR(logSlope(places), -0.75, 1e-12);
-  EXPECT_TRUE(std::isnan(logSlope(std::vector<Place>{{1, 1}})));
-  EXPECT_TRUE(std::isnan(logSlope(std::vector<Place>{{2, 1}, {2, 3}})));
+TEST(ChartNumbers, QuantilesLieBetweenRanks) {
+  EXPECT_EQ(quantile({}, 0.5), 0.0);
+  EXPECT_EQ(quantile({7.0}, 0.25), 7.0);
+  EXPECT_EQ(quantile({3.0, 1.0, 2.0}, 0.5), 2.0);
+  EXPECT_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 0.5), 2.5);
+  EXPECT_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 0.25), 1.75);
+  EXPECT_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 1.0), 4.0);
 }
 
 TEST(ChartNumbers, AxesHoldTheirValuesAndHaveTicks) {

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "render/scene_coverage.h"
-#include "render/specialise.h"
+#include "render/tiling.h"
 
 namespace laver::test {
 namespace {

@@ -7,6 +7,8 @@
 namespace laver::test {
 namespace {
 
+using namespace reference;
+
 Filter filterOf(const FilterRow* kind, double radius) {
   Filter filter;
   filter.row = kind;

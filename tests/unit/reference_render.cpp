@@ -16,7 +16,7 @@ namespace {
 Scene bumpyScene(const FilterRow* kind, double radius, std::uint32_t samples) {
   Scene scene;
   scene.integrator = {&integrators::directWhitted};
-  scene.meshes = {test::bumpySphere(12, 16, 1)};
+  scene.meshes = {bumpySphere(12, 16, 0.1, glm::dvec3(0.0))};
   scene.lights = {{{3, 4, 5}, glm::dvec3(50, 40, 30)}};
   scene.camera = test::downCamera({0, 0, 4}, 40, 70);
   scene.filter.row = kind;
@@ -239,7 +239,7 @@ TEST(ReferenceFilm, ProgressRisesToOne) {
     void progress(double share, std::uint64_t /*samples*/) override { shares.push_back(share); }
   } seen;
   RenderOptions options;
-  options.more = {Integrator::Depth};
+  options.more = {{&integrators::depth}};
   options.observers = {&seen};
   Reference(scene).render(options);
   const std::vector<double>& shares = seen.shares;

@@ -10,6 +10,8 @@
 namespace laver::test {
 namespace {
 
+using namespace reference;
+
 Camera film(int width, int height) {
   Camera camera;
   camera.width = width;

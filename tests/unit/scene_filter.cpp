@@ -4,10 +4,8 @@
 namespace laver::test {
 namespace {
 
-using namespace scene_test;
-
 Filter filterWith(const FilterRow* kind, const char* rfilter) {
-  const Files files;
+  const SceneFiles files;
   SceneOverrides overrides;
   overrides.filter = kind;
   return files

@@ -114,7 +114,7 @@ TEST(SceneOverride, IntegratorMakesAnotherAWarningAndLightsUnneeded) {
 }
 
 TEST(SceneOverride, IntegratorForASceneWithoutOne) {
-  const Files files;
+  const SceneFiles files;
   const auto loaded = files.load("<scene/>", with(integrators::depth));
   EXPECT_TRUE(loaded.scene.integrator.is(integrators::depth));
   EXPECT_TRUE(loaded.warnings.empty());

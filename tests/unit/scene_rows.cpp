@@ -4,17 +4,15 @@
 #include <filesystem>
 #include <set>
 
-#include "render/renderings.h"
 #include "scene/suggest.h"
-#include "unit/scene_files.h"
+#include "support/scene_files.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
 
 bool hasShader(const std::string& name) {
   const std::filesystem::path shaders = std::filesystem::path(LAVER_SOURCE_DIR) / "shaders";
-  return std::filesystem::exists(shaders / "integrators" / (name + ".glsl")) ||
-         std::filesystem::exists(shaders / (name + ".comp"));
+  return std::filesystem::exists(shaders / "integrators" / (name + ".glsl"));
 }
 
 TEST(SceneRows, AnIntegratorHasAKernelATwinAndAnObjectOfItsOwn) {
@@ -57,7 +55,7 @@ TEST(SceneRows, NoTwoSamplersShareAnObject) {
 }
 
 TEST(SceneRows, AHintNamesAllIntegratorsOfTheTable) {
-  const scene_test::Files files;
+  const SceneFiles files;
   std::vector<std::string_view> names;
   for (const IntegratorRow* row : integratorRows()) names.emplace_back(row->name);
   EXPECT_NE(files.errors("<scene><integrator type=\"dept\"/></scene>")
@@ -65,18 +63,9 @@ TEST(SceneRows, AHintNamesAllIntegratorsOfTheTable) {
             std::string::npos);
 }
 
-TEST(SceneRows, AnIntegratorThatSaysNothingOfMissesIsNotCutToTheScene) {
-  const IntegratorRow silent{.name = "silent"};
-  Scene scene;
-  scene.integrator = {&silent};
-  EXPECT_FALSE(renderingsOf(scene, {}).front().blackMisses);
-  scene.integrator = {&integrators::depth};
-  EXPECT_TRUE(renderingsOf(scene, {}).front().blackMisses);
-}
-
 // An integrator that is shown beside another has the properties that the file gives it.
 TEST(SceneRows, PropertiesOfTheFileHoldBesideAnotherIntegrator) {
-  const scene_test::Files files;
+  const SceneFiles files;
   SceneOverrides overrides;
   overrides.integrator = {&integrators::depth};
   const std::string av =
@@ -90,4 +79,4 @@ TEST(SceneRows, PropertiesOfTheFileHoldBesideAnotherIntegrator) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

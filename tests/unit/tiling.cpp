@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "render/tiling.h"
 #include "render/traversal.h"
 

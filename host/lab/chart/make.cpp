@@ -65,7 +65,7 @@ Image renderReference(const Scene& scene, const Options& options, Part part) {
 /// The mean of two stratified pictures of different seeds, neither of them the scene's; their
 /// difference estimates the error of the mean.
 Truth truthOf(Scene scene, const Options& options) {
-  scene.sampler.kind = Sampler::Kind::Stratified;
+  scene.sampler.row = &samplers::stratified;
   scene.sampler.sampleCount = options.truthSamples;
   scene.sampler.seed += 1;
   const Image a = renderReference(scene, options, {options, 0.0, kTruthEnd / 2});
@@ -188,7 +188,7 @@ class Measurement {
   Mismatches judge(const Series& series, const Image& image) const {
     const auto samples = static_cast<std::uint32_t>(series.points.back().samples);
     Scene scene = sceneOf(options_);
-    scene.sampler.kind = *samplerFromName(series.sampler);
+    scene.sampler.row = rowCalled(samplerRows(), series.sampler);
     scene.sampler.sampleCount = samples;
     const Reference reference(scene, options_.threads);
     RenderOptions render;

@@ -111,7 +111,7 @@ Panel methodPanel(const Chart& chart) {
       const Style style = laverStyle(i, Shape::Disc);
       panel.curves.push_back({"", style.colour, style.shape, false, {}});
     }
-    wrong[i] = std::max(wrong[i], m.unexcused);
+    wrong[i] = std::max(wrong[i], m.unexplained);
     panel.curves[i].marks.push_back({m.nanoseconds, m.quartiles[0], m.quartiles[1], m.t99, ""});
   }
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -122,19 +122,19 @@ Panel methodPanel(const Chart& chart) {
 }
 
 std::vector<std::string> notesOf(const Chart& chart) {
-  std::uint64_t pixels = 0, unexcused = 0;
+  std::uint64_t pixels = 0, unexplained = 0;
   for (const Series& series : chart.series)
     for (const Point& point : series.points)
       if (point.mismatches) {
         pixels += point.mismatches->pixels;
-        unexcused += point.mismatches->unexcused;
+        unexplained += point.mismatches->unexplained;
       }
   std::vector<std::string> notes;
   notes.push_back(fmt::format(
       "Exact picture: double precision, {} samples per pixel; its own error is {:.2g}. Against the "
       "double-precision picture of the same samples, {} pixels differ visibly, {} of them for "
       "another reason than rounding at an edge.",
-      2 * chart.truthSamples, chart.truthError, pixels, unexcused));
+      2 * chart.truthSamples, chart.truthError, pixels, unexplained));
   if (!chart.methods.empty())
     notes.push_back(fmt::format(
         "Ray-triangle tests, each with three box tests and two node formats: the 99th percentile "

@@ -25,7 +25,7 @@ nlohmann::json jsonOf(const Point& point) {
                       {"relativeMse", point.errors.relativeMse}};
   if (point.mismatches)
     json["mismatches"] = {{"pixels", point.mismatches->pixels},
-                          {"unexcused", point.mismatches->unexcused},
+                          {"unexplained", point.mismatches->unexplained},
                           {"rmse", point.mismatches->rmse}};
   return json;
 }
@@ -69,7 +69,7 @@ nlohmann::json jsonOf(const Chart& chart) {
 std::string csvOf(const Chart& chart) {
   std::string csv =
       "series,program,sampler,adaptive,traversal,samples,seconds,seconds_q1,seconds_q3,"
-      "process_seconds,process_q1,process_q3,rmse,relative_mse,mismatches,unexcused\n";
+      "process_seconds,process_q1,process_q3,rmse,relative_mse,mismatches,unexplained\n";
   for (const Series& each : chart.series)
     for (const Point& p : each.points) {
       csv += fmt::format("{},{},{},{},{},{:g}", quoted(each.name), quoted(each.program),
@@ -78,7 +78,7 @@ std::string csvOf(const Chart& chart) {
         csv += fmt::format(",{:.6g},{:.6g},{:.6g}", quantile(*seconds, 0.5),
                            quantile(*seconds, 0.25), quantile(*seconds, 0.75));
       csv += fmt::format(",{:.6g},{:.6g},", p.errors.rmse, p.errors.relativeMse);
-      csv += p.mismatches ? fmt::format("{},{}\n", p.mismatches->pixels, p.mismatches->unexcused)
+      csv += p.mismatches ? fmt::format("{},{}\n", p.mismatches->pixels, p.mismatches->unexplained)
                           : ",\n";
     }
   return csv;
