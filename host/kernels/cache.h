@@ -9,9 +9,9 @@ namespace laver {
 /// 128 bits of a kernel's text and of the compiler's version, in hexadecimal.
 std::string hashOfKernel(const std::string& text);
 
-/// Compiled kernels in files, one per hash. It may be lost at any time: files that are damaged, cut short
-/// or unreadable count as absent, and nothing that goes wrong is an error. Processes may share it: a file
-/// appears whole or not at all.
+/// Compiled kernels in files, one per hash. It may be lost at any time: files that are damaged, cut
+/// short or unreadable count as absent, and nothing that goes wrong is an error. Processes may
+/// share it: a file appears whole or not at all.
 class KernelCache {
  public:
   /// In `folder`; an empty path keeps nothing.

@@ -10,8 +10,8 @@ const TBuiltInResource* GetDefaultResources();  // glslang 12 exports it without
 #endif
 
 #include <regex>
-#include <sstream>
 #include <spirv-tools/optimizer.hpp>
+#include <sstream>
 
 #include "core/error.h"
 
@@ -21,9 +21,9 @@ namespace {
 /// A new one for every change of the passes below.
 constexpr int kRecipe = 1;
 
-/// lavapipe takes 0.5 to 0.6 of the time for a kernel that comes unrolled, inlined and cleaned. Loops
-/// are unrolled first, while their arithmetic stands in functions: spirv-opt's unrolling drops
-/// NoContraction, its inlining keeps it.
+/// lavapipe takes 0.5 to 0.6 of the time for a kernel that comes unrolled, inlined and cleaned.
+/// Loops are unrolled first, while their arithmetic stands in functions: spirv-opt's unrolling
+/// drops NoContraction, its inlining keeps it.
 const std::vector<std::string> kUnroll = {"--merge-return",
                                           "--eliminate-local-single-block",
                                           "--eliminate-local-single-store",
@@ -47,7 +47,8 @@ struct Process {
   std::istringstream in(log);
   for (std::string line; std::getline(in, line);) {
     std::smatch match;
-    if (!std::regex_match(line, match, kError) || match[3].str().find("compilation terminated") == 0)
+    if (!std::regex_match(line, match, kError) ||
+        match[3].str().find("compilation terminated") == 0)
       continue;
     lines += fmt::format("{}{}:{}: error: {}", lines.empty() ? "" : "\n", match[1].str(),
                          match[2].str(), match[3].str());
@@ -58,10 +59,8 @@ struct Process {
 Spirv optimised(const Spirv& module, Effort effort) {
   spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_1);
   std::string problem;
-  optimizer.SetMessageConsumer(
-      [&](spv_message_level_t, const char*, const spv_position_t&, const char* message) {
-        problem = message;
-      });
+  optimizer.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t&,
+                                   const char* message) { problem = message; });
   optimizer.RegisterPassesFromFlags(kUnroll);
   if (effort == Effort::Thorough) optimizer.RegisterPerformancePasses();
   Spirv result;

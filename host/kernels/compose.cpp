@@ -68,8 +68,8 @@ void traceConstants(const TraceKey& key, Text& text) {
   text.flag("CENTRES", key.integrator == "centres");
 }
 
-/// A function that calls NAME + suffix of the one of `names` that `which` says; the last of them where
-/// it says none.
+/// A function that calls NAME + suffix of the one of `names` that `which` says; the last of them
+/// where it says none.
 void dispatch(Text& text, const std::vector<std::string>& names, const char* suffix,
               const char* head, const char* which, const char* arguments) {
   text.line("{} {{", head);
@@ -105,7 +105,8 @@ void shading(const TraceKey& key, Text& text) {
   text.line("#include \"emitter/{}.glsl\"", key.background);
 }
 
-/// The integrator's property NAME as `xml_NAME`: a constant where the key holds a value, else a parameter.
+/// The integrator's property NAME as `xml_NAME`: a constant where the key holds a value, else a
+/// parameter.
 void properties(const TraceKey& key, Text& text) {
   const char* parameters[] = {"x", "y", "z", "w"};
   for (std::size_t i = 0; i < key.properties.size(); ++i) {

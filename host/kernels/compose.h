@@ -8,12 +8,13 @@
 
 namespace laver {
 
-/// GLSL text of the kernels, whole: every #include is expanded, with #line directives that name files.
+/// GLSL text of the kernels, whole: every #include is expanded, with #line directives that name
+/// files.
 std::string compose(const TraceKey& key);
 std::string compose(const GatherKey& key);
 
-/// The trace kernel's text up to its main function, followed by `main`: for tests that trace rays of
-/// their own.
+/// The trace kernel's text up to its main function, followed by `main`: for tests that trace rays
+/// of their own.
 std::string composeWith(const TraceKey& key, std::string_view main);
 
 /// A file of shaders/, as it was built in; empty if there is none of that path.

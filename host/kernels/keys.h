@@ -24,8 +24,8 @@ struct KernelProperty {
   bool operator==(const KernelProperty&) const = default;
 };
 
-/// Everything that a trace kernel is composed of, and nothing more: what is false, zero or empty is not
-/// in the kernel. Names are those of files in the folders of shaders/.
+/// Everything that a trace kernel is composed of, and nothing more: what is false, zero or empty is
+/// not in the kernel. Names are those of files in the folders of shaders/.
 struct TraceKey {
   std::string integrator = "normals";  ///< or "centres", which writes layers of pixels' centres
   std::string userFile, userText;      ///< of an integrator of the user's own, used instead

@@ -35,8 +35,9 @@ std::vector<std::string> commonKernels() {
     const char* filter;
     std::uint32_t apron;
   };
-  for (const Reconstruction r : {Reconstruction{"gaussian_narrow", 2}, Reconstruction{"mitchell", 2},
-                                 Reconstruction{"tent", 1}, Reconstruction{"box", 1}}) {
+  for (const Reconstruction r :
+       {Reconstruction{"gaussian_narrow", 2}, Reconstruction{"mitchell", 2},
+        Reconstruction{"tent", 1}, Reconstruction{"box", 1}}) {
     GatherKey key;
     key.filter = r.filter;
     key.apron = r.apron;

@@ -68,7 +68,8 @@ Rendered Reference::render(const RenderOptions& options) const {
   std::vector<Image> parts;
   parts.push_back(std::move(all.image));
   for (std::size_t i = 0; i < more.size(); ++i) {
-    Rendered one = picture(useOf(impl_->scene, more[i].integrator), options, {i + 1, count}, observers);
+    Rendered one =
+        picture(useOf(impl_->scene, more[i].integrator), options, {i + 1, count}, observers);
     one.image.channels = more[i].channels;
     if (!one.whole()) ++all.reached.unfinished;
     all.droppedSamples += one.droppedSamples;
@@ -92,9 +93,9 @@ Rendered Reference::picture(const IntegratorUse& shown, const RenderOptions& opt
     return reference::radiance(impl_->world, impl_->scene, shown, impl_->view.through(film),
                                numbers);
   };
-  return reference::renderFilm(
-      impl_->scene, options,
-      {radianceAt, shown.row->needs.negative, place.index, place.count}, observers);
+  return reference::renderFilm(impl_->scene, options,
+                               {radianceAt, shown.row->needs.negative, place.index, place.count},
+                               observers);
 }
 
 std::optional<CentreHit> Reference::centre(glm::dvec2 film) const {

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "render/materials.h"
+#include "render/pack_parts.h"
 #include "render/reasons.h"
 #include "render/renderer.h"
 #include "render/sample_map.h"
-#include "render/pack_parts.h"
 #include "render/traversal.h"
 #include "scene/layers.h"
 
@@ -64,8 +64,7 @@ bool materialsDiffer(const Scene& scene) {
 /// A BSDF with properties of its own beside its colour, or several kinds, need records.
 bool needsBsdfRecords(const Scene& scene) {
   return bsdfsOf(scene).size() > 1 ||
-         std::any_of(scene.meshes.begin(), scene.meshes.end(),
-                     hasNumbers);
+         std::any_of(scene.meshes.begin(), scene.meshes.end(), hasNumbers);
 }
 
 void noteImage(const std::shared_ptr<const Picture>& image, TraceKey& key) {
@@ -101,10 +100,9 @@ TraceKey keyOf(const Scene& scene, const RenderOptions& options, const Integrato
   if (scene.sampler.row->stream) key.jumpLevels = jumpLevels(scene.sampler.sampleCount);
   key.hits = surfaces || (row.needs.background && scene.environment);
   key.spheres = key.hits && hasSpheres(scene);
-  key.normals =
-      surfaces && row.needs.normals &&
-      std::any_of(scene.meshes.begin(), scene.meshes.end(),
-                  [](const Mesh& m) { return !m.normals.empty(); });
+  key.normals = surfaces && row.needs.normals &&
+                std::any_of(scene.meshes.begin(), scene.meshes.end(),
+                            [](const Mesh& m) { return !m.normals.empty(); });
   key.adaptive = options.error > 0.0;
   key.signedValues = row.needs.negative;
   if (shades(row)) keyOfShading(scene, row, surfaces, key);
@@ -139,7 +137,8 @@ std::vector<PictureChoice> picturesOf(const Scene& scene, const RenderOptions& o
 }
 
 /// Everything that one of the pictures reads.
-Uploads uploadsOf(const Scene& scene, const std::vector<PictureChoice>& pictures, const RenderOptions& options) {
+Uploads uploadsOf(const Scene& scene, const std::vector<PictureChoice>& pictures,
+                  const RenderOptions& options) {
   Uploads uploads;
   uploads.primitives = false;
   for (const PictureChoice& picture : pictures) {
@@ -202,8 +201,7 @@ Choices choose(const Scene& scene, const RenderOptions& options, const VulkanOpt
   // film/gather_strip.glsl takes no wider filters.
   choices.gather.strips = runsPackets(device) && choices.gather.apron <= 4;
   choices.core = coreOf(scene.camera, options);
-  choices.tiling =
-      tilingOf(scene, options, vulkan, device.limits, choices.gather.apron);
+  choices.tiling = tilingOf(scene, options, vulkan, device.limits, choices.gather.apron);
   choices.reasons = reasonsOf(scene, options, choices, traversal.why);
   return choices;
 }

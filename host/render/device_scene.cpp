@@ -8,10 +8,10 @@ namespace {
 
 constexpr VkFormat kTexels = VK_FORMAT_R32G32B32A32_UINT;
 
-/// A size of at least `bytes` for which lavapipe reuses compiled kernels. It compiles a kernel again when
-/// the size of a texel buffer changes between power of two and not, or when bits 0 to 7 or 8 to 15 of the
-/// size, which it takes for mip levels, change between zero and not (its lp_static_texture_state). The
-/// sizes made here are no powers of two and have neither byte zero.
+/// A size of at least `bytes` for which lavapipe reuses compiled kernels. It compiles a kernel
+/// again when the size of a texel buffer changes between power of two and not, or when bits 0 to 7
+/// or 8 to 15 of the size, which it takes for mip levels, change between zero and not (its
+/// lp_static_texture_state). The sizes made here are no powers of two and have neither byte zero.
 VkDeviceSize alike(VkDeviceSize bytes, VkDeviceSize texel) {
   if ((bytes & 0xff00U) == 0) bytes += 0x100;
   return (bytes & 0xffU) == 0 ? bytes + texel : bytes;

@@ -141,16 +141,17 @@ void Frame::forgetDropped() {
   onDevice_.status().upload(std::as_bytes(std::span(&status_, 1)));
 }
 
-/// Where a packet of rays meets more of the scene than one invocation may walk through, this pass and
-/// all that follow go ray by ray: the same bits.
+/// Where a packet of rays meets more of the scene than one invocation may walk through, this pass
+/// and all that follow go ray by ray: the same bits.
 void Frame::trace(const shared::Pass& pass) {
   const shared::Status before = status_;
   if (mapped()) listWork(pass);
   dispatchLights(pass);
   if (status_.incomplete != 0 && isPacket(traversal_)) {
     traversal_ = Traversal::Lane;
-    work_.fallback = fmt::format("{} packets ran more loops than the driver lets one invocation run",
-                                 status_.incomplete / 8);
+    work_.fallback =
+        fmt::format("{} packets ran more loops than the driver lets one invocation run",
+                    status_.incomplete / 8);
     compileTrace(traversal_);
     onDevice_.status().upload(std::as_bytes(std::span(&before, 1)));
     dispatchLights(pass);
@@ -165,8 +166,7 @@ void Frame::trace(const shared::Pass& pass) {
 /// All lights in one dispatch, or a few in each of several.
 void Frame::dispatchLights(shared::Pass pass) {
   const Stopwatch watch(work_.traceSeconds);
-  const auto lights =
-      picture_->key.lights ? static_cast<std::uint32_t>(packed_.lights.size()) : 0U;
+  const auto lights = picture_->key.lights ? static_cast<std::uint32_t>(packed_.lights.size()) : 0U;
   pass.firstLight = 0;
   do {
     pass.lightCount = std::min(lights - pass.firstLight, shared::LIGHTS_PER_DISPATCH);

@@ -19,7 +19,8 @@ struct FrameWork {
   std::string fallback;  ///< why rays were traced one by one in the end; empty: they were not
 };
 
-/// The film on its device: traces passes of samples of a band and gathers them into the band's sums.
+/// The film on its device: traces passes of samples of a band and gathers them into the band's
+/// sums.
 class Frame {
  public:
   /// Uploads; then takes the first picture's kernels, which may still be compiled meanwhile.

@@ -1,5 +1,3 @@
-#include "render/packed.h"
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -8,10 +6,10 @@
 
 #include "core/fnv1a.h"
 #include "kernels/compose.h"
-
 #include "render/materials.h"
 #include "render/pack_parts.h"
 #include "render/pack_textures.h"
+#include "render/packed.h"
 #include "render/traversal.h"
 
 namespace laver {
@@ -224,8 +222,7 @@ Packed pack(const Scene& scene, const RenderOptions& options, const Uploads& upl
   packFilter(scene.filter, uploads.noriTable, packed.params);
   packSampler(scene, uploads.jumpLevels, packed);
   if (uploads.background) textures.packBackground(*scene.environment);
-  if (!scene.meshes.empty())
-    packed.params.albedo = vec3(albedoOf(scene.meshes.front()));
+  if (!scene.meshes.empty()) packed.params.albedo = vec3(albedoOf(scene.meshes.front()));
   packed.params.root = packed.bvh.root;
   packed.params.packetWindow = packetWindow(primitivesOf(scene));
   return packed;
@@ -246,17 +243,17 @@ std::vector<DeviceArray> arraysOf(const Packed& p) {
   constexpr std::uint64_t kAfterTriangles = (shared::MAX_LEAF - 1) * sizeof(shared::Triangle);
   // Kernels that do not know that there is no light look at one, which must be black.
   constexpr std::uint64_t kAfterLights = sizeof(shared::Light);
-  return {{shared::BIND_NODES, "BVH nodes", bytes(p.bvh.nodes), kTexels, 0, false},
-          {shared::BIND_TRIANGLES, "triangles", bytes(p.bvh.triangles), kTexels, kAfterTriangles,
-           true},
-          {shared::BIND_ATTRIBUTES, "attributes", p.attributes, p.attributeFormat, 0, true},
-          {shared::BIND_NORMALS, "normals", bytes(p.normals), kTexels, 0, true},
-          {shared::BIND_MATERIALS, "materials", bytes(p.materials), kTexels, 0, true},
-          {shared::BIND_LIGHTS, "lights", bytes(p.lights), kTexels, kAfterLights, true},
-          {shared::BIND_JUMPS, "sampler tables", bytes(p.jumps), kTexels, 0, false},
-          {shared::BIND_TEXTURES, "textures", bytes(p.textures), kTexels, 0, true},
-          {shared::BIND_UVS, "texture coordinates", bytes(p.uvs), VK_FORMAT_R32G32_UINT, 0, true},
-          {shared::BIND_IMAGES, "images", bytes(p.images), VK_FORMAT_R32_UINT, 0, true}};
+  return {
+      {shared::BIND_NODES, "BVH nodes", bytes(p.bvh.nodes), kTexels, 0, false},
+      {shared::BIND_TRIANGLES, "triangles", bytes(p.bvh.triangles), kTexels, kAfterTriangles, true},
+      {shared::BIND_ATTRIBUTES, "attributes", p.attributes, p.attributeFormat, 0, true},
+      {shared::BIND_NORMALS, "normals", bytes(p.normals), kTexels, 0, true},
+      {shared::BIND_MATERIALS, "materials", bytes(p.materials), kTexels, 0, true},
+      {shared::BIND_LIGHTS, "lights", bytes(p.lights), kTexels, kAfterLights, true},
+      {shared::BIND_JUMPS, "sampler tables", bytes(p.jumps), kTexels, 0, false},
+      {shared::BIND_TEXTURES, "textures", bytes(p.textures), kTexels, 0, true},
+      {shared::BIND_UVS, "texture coordinates", bytes(p.uvs), VK_FORMAT_R32G32_UINT, 0, true},
+      {shared::BIND_IMAGES, "images", bytes(p.images), VK_FORMAT_R32_UINT, 0, true}};
 }
 
 std::uint64_t bytesOf(const Packed& packed) {

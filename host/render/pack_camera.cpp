@@ -1,8 +1,8 @@
-#include "render/pack_parts.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "render/pack_parts.h"
 
 namespace laver {
 

@@ -15,8 +15,8 @@ void packSampler(const Scene& scene, std::uint32_t jumpLevels, Packed& packed);
 /// The seed alone.
 void packSeed(std::int64_t seed, shared::Params& params);
 
-/// The integrator's float properties, in the order of its row. Lengths come to normalised space, whose
-/// points lie less than 4 apart; below 2^-100 nothing is seen apart.
+/// The integrator's float properties, in the order of its row. Lengths come to normalised space,
+/// whose points lie less than 4 apart; below 2^-100 nothing is seen apart.
 glm::vec4 propertiesOf(const IntegratorUse& integrator, const Normalisation& space);
 
 /// n steps of PCG32: state(n) = multiplier * state(0) + increments * inc (Brown, "Random Number

@@ -1,7 +1,7 @@
-#include "render/pack_parts.h"
-
 #include <algorithm>
 #include <bit>
+
+#include "render/pack_parts.h"
 
 namespace laver {
 namespace {

@@ -1,16 +1,16 @@
 #include "render/pack_textures.h"
 
-#include "render/materials.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "render/materials.h"
 
 namespace laver {
 using glm::vec2;
 using glm::vec3;
 
-/// 1 + the place of its kind. A texture that shows nothing of its own, such as an image that was not read,
-/// has the colour of its record.
+/// 1 + the place of its kind. A texture that shows nothing of its own, such as an image that was
+/// not read, has the colour of its record.
 std::uint32_t TexturePacker::kindOf(const std::optional<Texture>& texture) const {
   if (!shows(texture)) return shared::TEXTURE_NONE;
   const auto kind = std::find(kinds_.begin(), kinds_.end(), textureName(*texture));
@@ -38,7 +38,7 @@ void TexturePacker::addTriangle(const Mesh& mesh, glm::uvec3 given, glm::uvec3 s
     const std::uint32_t vertex = stored[corner];
     // Without coordinates u and v are the weights of the second and the third corner.
     packed_.uvs.push_back(!mesh.uvs.empty() ? vec2(mesh.uvs[vertex])
-                                          : vec2(vertex == given.y, vertex == given.z));
+                                            : vec2(vertex == given.y, vertex == given.z));
   }
 }
 
@@ -59,10 +59,12 @@ void TexturePacker::packBackground(const Environment& environment) {
 }
 
 std::uint32_t TexturePacker::tableOf(bool raw) {
-  const auto [entry, added] = tables_.emplace(raw, static_cast<std::uint32_t>(packed_.images.size()));
+  const auto [entry, added] =
+      tables_.emplace(raw, static_cast<std::uint32_t>(packed_.images.size()));
   for (int i = 0; added && i < 256; ++i) {
     const double x = i / 255.0;
-    packed_.images.push_back(shared::floatBitsToUint(static_cast<float>(raw ? x : linearOfSrgb(x))));
+    packed_.images.push_back(
+        shared::floatBitsToUint(static_cast<float>(raw ? x : linearOfSrgb(x))));
   }
   return entry->second;
 }

@@ -28,7 +28,8 @@ Normalisation normalisationOf(const Scene& scene);
 struct Packed {
   Normalisation space;
   Bvh bvh;
-  std::vector<std::byte> attributes;  ///< shared::Attributes per triangle, in the order of the leaves
+  std::vector<std::byte>
+      attributes;  ///< shared::Attributes per triangle, in the order of the leaves
   std::vector<glm::vec4> normals;
   std::vector<shared::Material> materials;
   std::vector<shared::Light> lights;
@@ -52,8 +53,8 @@ struct DeviceArray {
   const char* name;  ///< for messages
   std::span<const std::byte> bytes;
   VkFormat format;
-  std::uint64_t zeros;   ///< bytes of zeros behind it
-  bool decidesPicture;   ///< other contents make another picture
+  std::uint64_t zeros;  ///< bytes of zeros behind it
+  bool decidesPicture;  ///< other contents make another picture
 };
 
 /// All of them: what is uploaded, counted and hashed.

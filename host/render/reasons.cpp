@@ -84,10 +84,10 @@ Reason normals(const Facts& f) {
   if (f.uploads.normals)
     return {"vertex normals", countOf(f.normals, "normal"),
             f.lit ? "shading reads them" : "the integrator shows them", "", 0};
-  const std::uint64_t bytes =
-      f.traced() ? (f.normals + 1) * sizeof(glm::vec4) +
-                       f.attributeBytes(true, indexBytesOf(f.scene, true)) - f.attributeBytes()
-                 : 0;
+  const std::uint64_t bytes = f.traced() ? (f.normals + 1) * sizeof(glm::vec4) +
+                                               f.attributeBytes(true, indexBytesOf(f.scene, true)) -
+                                               f.attributeBytes()
+                                         : 0;
   return {"vertex normals", "left out",
           !f.traced()      ? "no ray is traced"
           : f.normals == 0 ? "no mesh has any"
@@ -102,9 +102,9 @@ Reason materials(const Facts& f) {
             "the meshes differ", "", 0};
   const std::uint64_t records = f.uploads.textures ? 0 : meshes * sizeof(shared::Material);
   const std::uint64_t bytes =
-      f.traced() ? records + f.attributeBytes(f.uploads.normals, f.uploads.indexBytes) -
-                       f.attributeBytes()
-                 : 0;
+      f.traced()
+          ? records + f.attributeBytes(f.uploads.normals, f.uploads.indexBytes) - f.attributeBytes()
+          : 0;
   const bool one = f.coloured && f.traced();
   return {"materials",
           !one                 ? "left out"
@@ -183,9 +183,10 @@ Reason lights(const Facts& f) {
   if (lights <= kOnce)
     return {"lights", countOf(lights, "light") + " in one dispatch",
             fmt::format("{} or fewer", kOnce), "reading back what earlier dispatches summed", 0};
-  return {"lights",
-          fmt::format("{} in {} dispatches", countOf(lights, "light"), (lights + kOnce - 1) / kOnce),
-          fmt::format("more than {}", kOnce), "", 0};
+  return {
+      "lights",
+      fmt::format("{} in {} dispatches", countOf(lights, "light"), (lights + kOnce - 1) / kOnce),
+      fmt::format("more than {}", kOnce), "", 0};
 }
 
 Reason shadowRays(const Facts& f) {
@@ -236,8 +237,8 @@ Reason adaptive(const Facts& f) {
 
 Reason sideBySide(const Facts& f) {
   const Tiling& tiling = f.choices.tiling;
-  const double density = static_cast<double>(f.primitives) / f.scene.camera.width /
-                         f.scene.camera.height;
+  const double density =
+      static_cast<double>(f.primitives) / f.scene.camera.width / f.scene.camera.height;
   const std::uint32_t beside = samplesBeside(tiling, f.options.error != 0.0);
   return {"side by side", countOf(beside, "sample") + " of a pixel",
           beside < tiling.sideBySide ? "no more in a pass"
@@ -268,8 +269,8 @@ std::string countOf(std::uint64_t n, const char* one, const char* more) {
 std::vector<Reason> reasonsOf(const Scene& scene, const RenderOptions& options,
                               const Choices& choices, const std::string& traversal) {
   const Facts f(scene, options, choices);
-  std::vector<Reason> reasons = {
-      integrator(f), {"traversal", traversalName(choices.traversal), traversal, "", 0}};
+  std::vector<Reason> reasons = {integrator(f),
+                                 {"traversal", traversalName(choices.traversal), traversal, "", 0}};
   for (const auto reason :
        {rays, spheres, normals, materials, bsdfs, textures, images, background, uvs, indices,
         lights, shadowRays, sampler, samplerTables, filter, film, adaptive, sideBySide, passes})

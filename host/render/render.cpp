@@ -141,8 +141,8 @@ class Loop {
     std::uint32_t first, end, of;
   };
 
-  /// The passes: traces samples and adds them to the film. Returns to which sample it came, less than
-  /// the end if an observer stopped it.
+  /// The passes: traces samples and adds them to the film. Returns to which sample it came, less
+  /// than the end if an observer stopped it.
   std::uint32_t addSamples(const Crop& band, const Span& span) {
     shared::Pass pass = frame_.passOver(band);
     std::uint32_t done = span.first;
@@ -190,8 +190,8 @@ class Loop {
     });
   }
 
-  /// Pictures of one sample per pixel of everything that the counts of the core's samples depend on.
-  /// None if stopped.
+  /// Pictures of one sample per pixel of everything that the counts of the core's samples depend
+  /// on. None if stopped.
   std::optional<SampleMap> runPilots() {
     const Crop area = task_.choices.tiling.planned;
     const SampleMap one(cropOf(frame_.regionAround(area)), 1);

@@ -19,7 +19,8 @@ struct RenderTask {
 /// What the loop notes for statistics.
 struct RenderTimes {
   double readBackSeconds = 0;
-  double coverage = 1;  ///< share of the pixels that the scene covers; the others are black untraced
+  double coverage =
+      1;  ///< share of the pixels that the scene covers; the others are black untraced
   std::uint32_t bands = 0;
   AdaptiveStats adaptive;
 };

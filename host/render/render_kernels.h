@@ -17,9 +17,9 @@ struct Kernels {
   CompiledKernel trace, gather;
 };
 
-/// Composes a kernel's module and has the driver make machine code of it, which lavapipe puts off to
-/// the first dispatch: `bindings` hold buffers of the formats that will be read. Throws Error(Scene) for
-/// errors in a user's own text.
+/// Composes a kernel's module and has the driver make machine code of it, which lavapipe puts off
+/// to the first dispatch: `bindings` hold buffers of the formats that will be read. Throws
+/// Error(Scene) for errors in a user's own text.
 CompiledKernel compileKernel(const Device& device, const Bindings& bindings,
                              const std::string& text);
 

@@ -38,8 +38,7 @@ struct Renderer::Impl {
 };
 
 Renderer::Renderer(const VulkanOptions& options) : impl_(new Impl{options, {}}) {
-  impl_->start =
-      std::async(std::launch::async, [options] { return startVulkan(options); }).share();
+  impl_->start = std::async(std::launch::async, [options] { return startVulkan(options); }).share();
 }
 
 Renderer::~Renderer() = default;

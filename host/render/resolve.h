@@ -7,8 +7,8 @@
 
 namespace laver {
 
-/// Weighted means of a film's sums (shared::FilmPixel), into an RGB image from `firstRow` on. Pixels
-/// without weight are 0.
+/// Weighted means of a film's sums (shared::FilmPixel), into an RGB image from `firstRow` on.
+/// Pixels without weight are 0.
 void resolve(std::span<const std::byte> film, int firstRow, unsigned threads, Image& image);
 
 /// The same for the layers of pixels' centres, from what film/centres.glsl has left in the film.

@@ -103,7 +103,8 @@ class Collector {
   explicit Collector(const Packed& packed)
       : bvh_(packed.bvh),
         projector_(packed.params),
-        seen_(static_cast<int>(packed.params.filmSize.x), static_cast<int>(packed.params.filmSize.y)) {}
+        seen_(static_cast<int>(packed.params.filmSize.x),
+              static_cast<int>(packed.params.filmSize.y)) {}
 
   Coverage run() {
     if (!projector_.usable()) return Coverage::whole(seen_.width(), seen_.height());

@@ -27,10 +27,11 @@ Reason stack(std::uint32_t guess, std::uint32_t needed) {
   if (entries != guess)
     return {"stack", choice, fmt::format("the tree needs {}: the kernel is compiled again", needed),
             "", 0};
-  return {"stack", choice,
-          fmt::format("the tree needs {}; set before it is there, so that kernels compile beside it",
-                      needed),
-          "", 0};
+  return {
+      "stack", choice,
+      fmt::format("the tree needs {}; set before it is there, so that kernels compile beside it",
+                  needed),
+      "", 0};
 }
 
 double coverage(const Choices& choices, const Packed& packed) {

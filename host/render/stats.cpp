@@ -184,9 +184,9 @@ std::string Stats::text() const {
   out += fmt::format("samples      {} in {} passes of {} a pixel, {} bands, {} dropped\n", samples,
                      passes, samplesPerPass, bands, droppedSamples);
   if (coverage < 1.0)
-    out +=
-        fmt::format("film         {:.1f} % of it sees no geometry, and is neither traced nor filtered\n",
-                    100.0 * (1.0 - coverage));
+    out += fmt::format(
+        "film         {:.1f} % of it sees no geometry, and is neither traced nor filtered\n",
+        100.0 * (1.0 - coverage));
   if (adaptive.error > 0.0)
     out += fmt::format(
         "adaptive     error {}: {:.2f} samples a pixel, {} to {}, {:.2f} % of the pixels at the "

@@ -26,8 +26,8 @@ struct AdaptiveStats {
   void describe(const SampleMap& map, Crop core, std::uint32_t bound);
 };
 
-/// What --stats tells of a render, made of what happened. Seconds are of the host's clock; parts that
-/// run side by side overlap.
+/// What --stats tells of a render, made of what happened. Seconds are of the host's clock; parts
+/// that run side by side overlap.
 struct Stats {
   struct Seconds {
     double vulkanStart = 0, load = 0, build = 0, upload = 0, compile = 0, trace = 0;

@@ -78,8 +78,8 @@ Tiling tile(const VkPhysicalDeviceLimits& limits, const TilingNeeds& needs) {
   // Rows give way to samples side by side, but not below four times the rows that only overlap.
   const auto coreRows = static_cast<std::uint64_t>(core.y1 - core.y0);
   const std::uint64_t wanted = std::min<std::uint64_t>(maxPass, sideBySide);
-  std::uint64_t rows =
-      std::max({slots / slotsPerRow / wanted, std::min(8 * a, slots / slotsPerRow / unit), fewestRows});
+  std::uint64_t rows = std::max(
+      {slots / slotsPerRow / wanted, std::min(8 * a, slots / slotsPerRow / unit), fewestRows});
   rows = full.w <= rows ? coreRows : std::max<std::uint64_t>(rows, 2 * a + 1) - 2 * a;
   rows = std::max<std::uint64_t>(
       1, std::min({rows, coreRows, filmRows, std::uint64_t{limits.maxComputeWorkGroupCount[1]}}));

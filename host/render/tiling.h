@@ -43,8 +43,8 @@ Tiling tile(const VkPhysicalDeviceLimits& limits, const TilingNeeds& needs);
 std::uint32_t bandsOf(const Crop& core, const Tiling& tiling);
 std::uint32_t passesOf(std::uint32_t samples, const Tiling& tiling);
 
-/// Samples of a pixel that a workgroup traces side by side: 1, 4, 16 or 64. Adaptive sampling's lists
-/// of work go by 16 at most.
+/// Samples of a pixel that a workgroup traces side by side: 1, 4, 16 or 64. Adaptive sampling's
+/// lists of work go by 16 at most.
 std::uint32_t samplesBeside(const Tiling& tiling, bool adaptive);
 
 /// Region (core with the apron, cut to the film) as x, y, width, height.

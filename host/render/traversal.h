@@ -35,7 +35,8 @@ struct TraversalChoice {
 /// runs best, but lane where triangles are too many for packets. Of packets, unless their size is
 /// asked for, those that are sooner done. Throws Error(Usage) for an unknown one and Error(Device)
 /// where the device cannot.
-TraversalChoice traversalOf(const Scene& scene, const DeviceInfo& device, const std::string& wanted);
+TraversalChoice traversalOf(const Scene& scene, const DeviceInfo& device,
+                            const std::string& wanted);
 
 /// How far from its leader's the slopes of a ray may be that walks with it in a packet: of a coarse
 /// mesh wide packets meet few triangles more, and a packet that falls apart walks once for each

@@ -17,7 +17,7 @@ struct FilterRow {
   double radius = 0.0;                   ///< default, pixels
   std::vector<PropertyRow> properties{};
   std::vector<double Filter::*> members{};  ///< where the properties are kept
-  bool narrowForm = false;  ///< also as shaders/filter/NAME_narrow.glsl
+  bool narrowForm = false;                  ///< also as shaders/filter/NAME_narrow.glsl
   /// params.filterShape of its GLSL; nullptr: it has none.
   glm::dvec2 (*shape)(const Filter& filter) = nullptr;
   /// One axis at x pixels from the centre, |x| <= radius, in double precision.

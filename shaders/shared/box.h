@@ -35,8 +35,8 @@ LAVER_CONST float DEPTH_SLACK = 1.0f + 2.4e-7f;
 LAVER_FN BoxRay boxRayOf(vec3 origin, vec3 direction, uint axis) {
   const float scale = abs(alongAxis(direction, axis));
   const float pad = padOf(origin);
-  const vec3 padding = vec3(axis == 0u ? 0.0f : pad, axis == 1u ? 0.0f : pad,
-                            axis == 2u ? 0.0f : pad);
+  const vec3 padding =
+      vec3(axis == 0u ? 0.0f : pad, axis == 1u ? 0.0f : pad, axis == 2u ? 0.0f : pad);
   BoxRay ray;
   ray.low = origin + padding;
   ray.high = origin - padding;

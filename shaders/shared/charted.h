@@ -16,9 +16,10 @@ LAVER_CONST uint TRIANGLES_PLAIN = 1;    // Woop, Benthin and Wald 2013, plain p
 LAVER_CONST uint TRIANGLES_KAHAN = 2;    // the same with Kahan's difference of products
 LAVER_CONST uint TRIANGLES_OURS = 3;     // that, and the point recomputed from the plane (point.h)
 
-LAVER_CONST uint BOXES_PLAIN = 0;   // slabs, Kay and Kajiya 1986
-LAVER_CONST uint BOXES_ROBUST = 1;  // Ize, "Robust BVH Ray Traversal", 2013: far ends grown by 2 gamma(3)
-LAVER_CONST uint BOXES_OURS = 2;    // box.h
+LAVER_CONST uint BOXES_PLAIN = 0;  // slabs, Kay and Kajiya 1986
+LAVER_CONST uint BOXES_ROBUST =
+    1;  // Ize, "Robust BVH Ray Traversal", 2013: far ends grown by 2 gamma(3)
+LAVER_CONST uint BOXES_OURS = 2;  // box.h
 
 LAVER_SHARED_END
 

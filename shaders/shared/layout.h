@@ -20,15 +20,15 @@ LAVER_CONST uint BIND_FILM = 10;       // S FilmPixel
 LAVER_CONST uint BIND_STATUS = 11;     // S Status
 LAVER_CONST uint BIND_SAMPLE_TEXELS = 12;    // T of vec4: the samples, for reading
 LAVER_CONST uint BIND_SAMPLE_Y_TEXELS = 13;  // T of vec4: y of four samples
-LAVER_CONST uint BIND_COUNTS = 14;  // T Count, of the cells of the region; adaptive sampling only
-LAVER_CONST uint BIND_WORK = 15;    // T Work; adaptive sampling only
-LAVER_CONST uint BIND_TEXTURES = 16;      // T Texture, one per material
-LAVER_CONST uint BIND_UVS = 17;           // T of uvec2: u, v of each corner of textured triangles
-LAVER_CONST uint BIND_IMAGES = 18;        // T of uint: pixels of all images, and their tables
+LAVER_CONST uint BIND_COUNTS = 14;    // T Count, of the cells of the region; adaptive sampling only
+LAVER_CONST uint BIND_WORK = 15;      // T Work; adaptive sampling only
+LAVER_CONST uint BIND_TEXTURES = 16;  // T Texture, one per material
+LAVER_CONST uint BIND_UVS = 17;       // T of uvec2: u, v of each corner of textured triangles
+LAVER_CONST uint BIND_IMAGES = 18;    // T of uint: pixels of all images, and their tables
 LAVER_CONST uint BINDINGS = 19;
 
-// A dispatch sums at most this many lights, so that an invocation stays far below lavapipe's 65,535 loop
-// iterations.
+// A dispatch sums at most this many lights, so that an invocation stays far below lavapipe's 65,535
+// loop iterations.
 LAVER_CONST uint LIGHTS_PER_DISPATCH = 8;
 
 LAVER_CONST uint GATHER_GROUP = 64;  // columns
@@ -155,30 +155,31 @@ struct Work {
 
 // std140: rows of 16 bytes.
 struct Params {
-  vec3 origin;           // of the camera, normalised space
-  float packetWindow;    // how far the slopes of rays that walk together may differ
-  vec3 columnX;          // ray direction = columnX * (width - 2 px) + columnY * (height - 2 py) + columnZ
+  vec3 origin;         // of the camera, normalised space
+  float packetWindow;  // how far the slopes of rays that walk together may differ
+  vec3 columnX;  // ray direction = columnX * (width - 2 px) + columnY * (height - 2 py) + columnZ
   float tmin;
   vec3 columnY;
   float tmax;
   vec3 columnZ;
-  float sceneUnits;      // scene units per unit of normalised space
-  vec3 albedo;           // of all meshes, where they agree
-  uint root;             // reference of the root
-  uvec2 filmSize;        // width, height
-  uint sampleCount;      // per pixel
-  uint halfStep;         // half a step of the sample grid, in 2^-32 pixels
-  uvec2 seed;            // low, high
-  uint seedHash;         // of both
-  float filterRadius;    // pixels
+  float sceneUnits;    // scene units per unit of normalised space
+  vec3 albedo;         // of all meshes, where they agree
+  uint root;           // reference of the root
+  uvec2 filmSize;      // width, height
+  uint sampleCount;    // per pixel
+  uint halfStep;       // half a step of the sample grid, in 2^-32 pixels
+  uvec2 seed;          // low, high
+  uint seedHash;       // of both
+  float filterRadius;  // pixels
   // independent: first texel of the tables by sample (low, high part), samples of the low part;
   // stratified: strata along y, size of a stratum along x and y in 2^-32 pixels
   uvec4 samplerArguments;
-  vec4 properties;       // of the integrator, in the order of its row; lengths in normalised space
-  vec2 filterShape;      // as the filter's text explains
+  vec4 properties;   // of the integrator, in the order of its row; lengths in normalised space
+  vec2 filterShape;  // as the filter's text explains
   vec2 pad;
-  vec4 filterTable[9];   // filter/table.glsl: 33 entries; filter/gaussian_narrow.glsl: exp(alpha k^2)
-  vec3 backgroundX;      // rows of the matrix from the world to the background image's space
+  vec4
+      filterTable[9];  // filter/table.glsl: 33 entries; filter/gaussian_narrow.glsl: exp(alpha k^2)
+  vec3 backgroundX;    // rows of the matrix from the world to the background image's space
   float pad0;
   vec3 backgroundY;
   float pad1;
@@ -191,9 +192,9 @@ struct Params {
 
 // Push constants of both kernels. Booleans are 0 or 1.
 struct Pass {
-  uvec4 region;         // x, y, width, height in film pixels: what is traced, apron included
-  uvec4 core;           // x, y, width, height in film pixels: what is reconstructed
-  uvec4 part;           // first x and y, end of x and y: what of the region is traced, of the core gathered
+  uvec4 region;  // x, y, width, height in film pixels: what is traced, apron included
+  uvec4 core;    // x, y, width, height in film pixels: what is reconstructed
+  uvec4 part;  // first x and y, end of x and y: what of the region is traced, of the core gathered
   uint firstSample;
   uint sampleCount;     // of a pixel in this pass
   uint sideShift;       // trace: log2 of a pixel's samples that a workgroup traces side by side
@@ -204,14 +205,14 @@ struct Pass {
   uint firstWork;       // adaptive: the first Work of the dispatch
   uint firstLight;
   uint lightCount;
-  uint firstDispatch;   // of the pass, where its lights take several
+  uint firstDispatch;  // of the pass, where its lights take several
   uint lastDispatch;
 };
 
-// Compensated sums: value = sum + rest. rgb weighted radiance, a weight. From film/centres.glsl: sum =
-// position in normalised space, distance in scene units, 0 for no hit; rest = weights of the second
-// and third corner as stored, or a sphere's u and v; number of the triangle as its low and its high
-// 16 bits, which floats hold exactly.
+// Compensated sums: value = sum + rest. rgb weighted radiance, a weight. From film/centres.glsl:
+// sum = position in normalised space, distance in scene units, 0 for no hit; rest = weights of the
+// second and third corner as stored, or a sphere's u and v; number of the triangle as its low and
+// its high 16 bits, which floats hold exactly.
 struct FilmPixel {
   vec4 sum;
   vec4 rest;

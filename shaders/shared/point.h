@@ -69,8 +69,8 @@ LAVER_FN Point pointAt(vec3 origin, vec3 direction, vec3 a, vec3 b, vec3 c, bool
   const float across = dotProduct(n, direction);
   const float scale = abs(alongAxis(direction, shear.axis));
   const float nearest = min(pa.z, min(pb.z, pc.z)), farthest = max(pa.z, max(pb.z, pc.z));
-  const float depth = across != 0.0f ? dotProduct(n, a - origin) / across * scale
-                                     : depthOf(e, pa.z, pb.z, pc.z);
+  const float depth =
+      across != 0.0f ? dotProduct(n, a - origin) / across * scale : depthOf(e, pa.z, pb.z, pc.z);
   p.t = max(nearest, min(depth, farthest)) / scale;
 
   // 8 * 2^-24 * (|n| . max |corner|), 8 ulp at most. With e = 2^-24, `position` is off its plane by

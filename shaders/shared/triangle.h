@@ -71,9 +71,9 @@ LAVER_FN Shear shearOf(vec3 d) {
 
 // Edge functions of the three corners, permuted and relative to the origin.
 struct Edges {
-  float a, b, c;    // their signs agree inside; a / (a + b + c) is the weight of corner a
+  float a, b, c;  // their signs agree inside; a / (a + b + c) is the weight of corner a
   float sum;
-  bool inside;      // edges included
+  bool inside;  // edges included
 };
 
 LAVER_FN Edges edgesOf(Shear shear, vec3 a, vec3 b, vec3 c) {

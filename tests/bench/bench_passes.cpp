@@ -37,7 +37,8 @@ void measure(Report& report, const Setup& setup, std::size_t rounds) {
   std::vector<double> trace, skipping, reconstruct, compile;
   Stats stats;
   for (std::size_t round = 0; round <= rounds; ++round) {
-    const auto every = renderWithLaver(scene, setup.threads, traversalName(fasterPackets(scene)), true);
+    const auto every =
+        renderWithLaver(scene, setup.threads, traversalName(fasterPackets(scene)), true);
     stats = renderWithLaver(scene, setup.threads, traversalName(fasterPackets(scene)));
     if (round == 0) continue;
     trace.push_back(every.seconds.trace);

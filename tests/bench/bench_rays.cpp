@@ -172,7 +172,8 @@ void benchRays(Report& report, const EmbreeDevices& devices, const Rounds& round
     const Scene scene = benchScene("bunny", subdivided, "direct_whitted", 1);
     const Packed data = pack(scene, {}, uploadsOf(scene, {}));
     const EmbreeScenes embree(devices, scene);
-    Tracers laver{{device, data.bvh, "lane"}, {device, data.bvh, traversalName(fasterPackets(scene))}};
+    Tracers laver{{device, data.bvh, "lane"},
+                  {device, data.bvh, traversalName(fasterPackets(scene))}};
     const std::string title = titleOf("bunny", subdivided);
     const auto rays = cameraRays(data);
     const auto hits = laver.lane.closest(rays);

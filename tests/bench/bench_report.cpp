@@ -38,8 +38,7 @@ TEST(BenchReport, LeavesADocumentWithoutAPlaceForTablesAlone) {
   const test::TemporaryFolder folder;
   const std::string file = folder.path("README.md");
   std::ofstream(file) << "# Speed\n";
-  test::expectError(ExitCode::Output, "has no line",
-                          [&] { someReport().saveMarkdown(file); });
+  test::expectError(ExitCode::Output, "has no line", [&] { someReport().saveMarkdown(file); });
   EXPECT_EQ(test::contents(file), "# Speed\n");
 }
 

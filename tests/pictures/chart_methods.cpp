@@ -142,9 +142,8 @@ TEST(ChartMethods, OneWrongComparisonShowsAtEdges) {
 TEST(ChartMethods, AWrongAnswerIsNotExcused) {
   const Packed data = pack(ballScene(), {}, uploadsOf(ballScene(), {}));
   MethodJudge judge(data.bvh);
-  const std::vector<MethodRay> rays{{data.params.origin, 0.0F,
-                                     -data.params.origin + glm::vec3(0.01F, 0.02F, 0.0F),
-                                     1e30F}};
+  const std::vector<MethodRay> rays{
+      {data.params.origin, 0.0F, -data.params.origin + glm::vec3(0.01F, 0.02F, 0.0F), 1e30F}};
   judge.expect(rays);
   MethodHit hit{glm::vec3(0.0F), 1.0F, shared::NO_HIT};
   EXPECT_EQ(judge.unexplained(std::span(&hit, 1)), 1U);

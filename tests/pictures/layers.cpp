@@ -5,8 +5,8 @@
 #include "pictures/command_line.h"
 #include "pictures/explain.h"
 #include "pictures/harness.h"
-#include "support/bumpy_sphere.h"
 #include "render/choices.h"
+#include "support/bumpy_sphere.h"
 
 namespace laver::test {
 namespace {

@@ -30,8 +30,7 @@ TEST(ScenePlan, BytesAreThoseThatAGenericRenderUploadsMore) {
     const Scene scene = smallScene(name, 16, 1);
     const ScenePlan plan = planScene(scene, {}, {}, cpuInfo());
     const auto expect = [&](const char* what, const char* part) {
-      EXPECT_EQ(line(plan, what).bytesNotUploaded, bytesSaved(scene, part))
-          << name << ' ' << what;
+      EXPECT_EQ(line(plan, what).bytesNotUploaded, bytesSaved(scene, part)) << name << ' ' << what;
     };
     expect("vertex normals", "normals");
     expect("materials", "materials");

@@ -63,8 +63,7 @@ TEST(Scenes, EveryFilterEqualsTheReferenceExactAndByNorisTable) {
     if (kind == &filters::tent) scene.filter.radius = 1.0;
     if (kind == &filters::box) scene.filter.radius = 0.5;
     for (const bool compat : {false, true}) {
-      SCOPED_TRACE(testing::Message()
-                   << "filter " << kind->name << " compat " << compat);
+      SCOPED_TRACE(testing::Message() << "filter " << kind->name << " compat " << compat);
       expectMatch(scene, compat);
     }
   }

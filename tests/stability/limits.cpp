@@ -32,8 +32,7 @@ LAVER_STABILITY(Limits, "Buffer limits") {
             const double all = 100.0 * width * samples * kSampleBytes;
             naive += all > range ? 1 : 0;
             try {
-              const Tiling plan =
-                  tile(limits, {{0, 0, width, 100}, width, 100, apron, samples});
+              const Tiling plan = tile(limits, {{0, 0, width, 100}, width, 100, apron, samples});
               beyond += plan.sampleSlots * kSampleBytes > range || plan.sampleSlots > texels ||
                                 plan.bandPixels * sizeof(shared::FilmPixel) > range
                             ? 1

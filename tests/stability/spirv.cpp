@@ -31,8 +31,8 @@ struct LintedKernel {
   bool traces;
 };
 
-/// Trace kernels of every integrator and layer by every traversal, with all that a scene can need, and
-/// gathering by every filter.
+/// Trace kernels of every integrator and layer by every traversal, with all that a scene can need,
+/// and gathering by every filter.
 std::vector<LintedKernel> everyKernel() {
   std::vector<LintedKernel> kernels;
   std::vector<std::string> integrators = {"centres", "shading_normal", "albedo"};
@@ -52,16 +52,16 @@ std::vector<LintedKernel> everyKernel() {
       key.manyLights = key.byteImages = key.floatImages = true;
       if (integrator == integrators::averageVisibility.name)
         key.properties = {{"float", "length", ""}};
-      kernels.push_back({integrator + ", " + traversalName(traversal), compose(key),
-                         isPacket(traversal), true});
+      kernels.push_back(
+          {integrator + ", " + traversalName(traversal), compose(key), isPacket(traversal), true});
     }
   for (const char* filter : {"gaussian", "gaussian_narrow", "mitchell", "tent", "box", "table"})
     for (const bool strips : {false, true}) {
       GatherKey key;
       key.filter = filter;
       key.strips = strips;
-      kernels.push_back({std::string(filter) + (strips ? ", strips" : ""), compose(key), strips,
-                         false});
+      kernels.push_back(
+          {std::string(filter) + (strips ? ", strips" : ""), compose(key), strips, false});
     }
   return kernels;
 }
@@ -77,8 +77,8 @@ LAVER_STABILITY(Spirv, "SPIR-V: NoContraction, no min or max of NaN, no arithmet
       EXPECT_EQ(counts.functions.count(needed), traces ? 1U : 0U) << name << ", " << needed;
     for (const std::string& fault : faults) ADD_FAILURE() << name << ": " << fault;
 
-    // Optimised modules hold precise functions more often than others, inlined and unrolled. Where a
-    // pass drops the decoration, its share falls: to a half or a third, when tried.
+    // Optimised modules hold precise functions more often than others, inlined and unrolled. Where
+    // a pass drops the decoration, its share falls: to a half or a third, when tried.
     const Spirv quick = compileGlsl(glsl, Effort::Quick);
     EXPECT_GE(decoratedShare(countOf(disassembly(quick))), decoratedShare(counts)) << name;
 

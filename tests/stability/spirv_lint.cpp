@@ -9,12 +9,13 @@
 namespace laver::test {
 namespace {
 
-/// Functions whose proofs count every rounding: all of their arithmetic must carry NoContraction, or,
-/// where some of it may round as it likes, some must. The fused products of differenceOfProducts() are
-/// explicit and need none.
+/// Functions whose proofs count every rounding: all of their arithmetic must carry NoContraction,
+/// or, where some of it may round as it likes, some must. The fused products of
+/// differenceOfProducts() are explicit and need none.
 enum class Precise { All, Some };
 const std::map<std::string, Precise> kPrecise = {
-    {"differenceOfProducts", Precise::All},  // triangle.h: Kahan's correction must not be folded away
+    {"differenceOfProducts",
+     Precise::All},                // triangle.h: Kahan's correction must not be folded away
     {"dotProduct", Precise::All},  // triangle.h: both triangles of an edge see the same bits
     {"shearOf", Precise::All},
     {"edgesOf", Precise::All},
@@ -27,10 +28,10 @@ const std::map<std::string, Precise> kPrecise = {
     {"endsOf", Precise::All},
     {"plus", Precise::All},  // sphere.h: two-sum is all rounding errors
     {"plusProduct", Precise::All},
-    {"ballPointAt", Precise::Some},      // sphere.h; Newton's steps may round as they like
-    {"blocksWay", Precise::All},         // triangle.h
-    {"cosSinOfTurn", Precise::Some},     // direction.h; not precise: which quarter turn is taken out
-    {"sphereDirection", Precise::All},   // direction.h
+    {"ballPointAt", Precise::Some},     // sphere.h; Newton's steps may round as they like
+    {"blocksWay", Precise::All},        // triangle.h
+    {"cosSinOfTurn", Precise::Some},    // direction.h; not precise: which quarter turn is taken out
+    {"sphereDirection", Precise::All},  // direction.h
     {"uniformDirection", Precise::All},  // direction.h
     {"filmPosition", Precise::All},      // sampler.glsl: pixel + jitter is Nori's float sum
     {"insidePixel", Precise::All},       // sampler.glsl

@@ -49,9 +49,8 @@ Kernel kernelOf(const Device& device, const Bindings& bindings, const char* quer
   for (const Traversal t : {Traversal::Lane, Traversal::Packet32, Traversal::Packet64})
     if (traversal == traversalName(t)) key.traversal = t;
   key.stack = bvh.stack;
-  key.spheres = std::any_of(bvh.triangles.begin(), bvh.triangles.end(), [](const auto& t) {
-    return t.flipped == shared::IS_SPHERE;
-  });
+  key.spheres = std::any_of(bvh.triangles.begin(), bvh.triangles.end(),
+                            [](const auto& t) { return t.flipped == shared::IS_SPHERE; });
   const std::string text = fmt::format("#define QUERY {}\n{}", query, testText("trace_rays.glsl"));
   return {device, bindings, moduleOf(composeWith(key, text)).words, sizeof(shared::Pass)};
 }

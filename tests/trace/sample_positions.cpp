@@ -3,10 +3,10 @@
 
 #include <bit>
 
-#include "pictures/harness.h"
-#include "reference/sampler.h"
 #include "kernels/compose.h"
 #include "kernels/modules.h"
+#include "pictures/harness.h"
+#include "reference/sampler.h"
 #include "render/pack_parts.h"
 #include "trace/ray_tracer.h"
 #include "vulkan/bindings.h"

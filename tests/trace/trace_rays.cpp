@@ -106,8 +106,7 @@ TEST_F(TraceRays, PointsAreSeenAsInTheReference) {
 }
 
 TEST_F(TraceRays, PacketsFindTheSameToTheBit) {
-  if (!runsPackets(device_.info()))
-    GTEST_SKIP() << "no subgroups of 8, or no 64-bit integers";
+  if (!runsPackets(device_.info())) GTEST_SKIP() << "no subgroups of 8, or no 64-bit integers";
   const std::vector<TestRay> rays = someRays();
   std::vector<vec3> points;
   points.reserve(4000);

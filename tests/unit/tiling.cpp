@@ -1,7 +1,8 @@
+#include "render/tiling.h"
+
 #include <gtest/gtest.h>
 
 #include "core/error.h"
-#include "render/tiling.h"
 #include "render/traversal.h"
 
 namespace laver::test {

@@ -6,9 +6,9 @@
 #include <deque>
 #include <optional>
 
-#include "lab/chart/methods/quantise.h"
 #include "kernels/compose.h"
 #include "kernels/modules.h"
+#include "lab/chart/methods/quantise.h"
 #include "render/stopwatch.h"
 #include "shared/charted.h"
 #include "vulkan/bindings.h"
