@@ -7,25 +7,26 @@ const uint REACH = 2u * APRON + 1u;  // pixels on an axis that one sample reache
 layout(std140, binding = BIND_PARAMS) uniform ParamsBlock { Params params; };
 layout(push_constant) uniform PassBlock { Pass pass; };
 
-// uvec4 texels: floats keep their bits, denormals and NaN patterns included.
-layout(binding = BIND_NODES) uniform usamplerBuffer nodeTexels;
-layout(binding = BIND_TRIANGLES) uniform usamplerBuffer triangleTexels;
-layout(binding = BIND_ATTRIBUTES) uniform usamplerBuffer attributeTexels;
-layout(binding = BIND_NORMALS) uniform usamplerBuffer normalTexels;
-layout(binding = BIND_MATERIALS) uniform usamplerBuffer materialTexels;
-layout(binding = BIND_LIGHTS) uniform usamplerBuffer lightTexels;
-layout(binding = BIND_JUMPS) uniform usamplerBuffer jumpTexels;
+// Images without samplers: SPIR-V 1.6 forbids buffers as sampled images. uvec4 texels: floats keep their
+// bits, denormals and NaN patterns included.
+layout(binding = BIND_NODES) uniform utextureBuffer nodeTexels;
+layout(binding = BIND_TRIANGLES) uniform utextureBuffer triangleTexels;
+layout(binding = BIND_ATTRIBUTES) uniform utextureBuffer attributeTexels;
+layout(binding = BIND_NORMALS) uniform utextureBuffer normalTexels;
+layout(binding = BIND_MATERIALS) uniform utextureBuffer materialTexels;
+layout(binding = BIND_LIGHTS) uniform utextureBuffer lightTexels;
+layout(binding = BIND_JUMPS) uniform utextureBuffer jumpTexels;
 layout(binding = BIND_SAMPLES) writeonly buffer SamplesBlock { Stored samples[]; };
 layout(binding = BIND_SAMPLES_Y) writeonly buffer SamplesYBlock { float samplesY[]; };
 layout(binding = BIND_FILM) buffer FilmBlock { FilmPixel filmPixels[]; };
 layout(binding = BIND_STATUS) buffer StatusBlock { Status status; };
-layout(binding = BIND_SAMPLE_TEXELS) uniform samplerBuffer sampleTexels;
-layout(binding = BIND_SAMPLE_Y_TEXELS) uniform samplerBuffer sampleYTexels;
-layout(binding = BIND_COUNTS) uniform usamplerBuffer countTexels;
-layout(binding = BIND_WORK) uniform usamplerBuffer workTexels;
-layout(binding = BIND_TEXTURES) uniform usamplerBuffer textureTexels;
-layout(binding = BIND_UVS) uniform usamplerBuffer uvTexels;
-layout(binding = BIND_IMAGES) uniform usamplerBuffer imageTexels;
+layout(binding = BIND_SAMPLE_TEXELS) uniform textureBuffer sampleTexels;
+layout(binding = BIND_SAMPLE_Y_TEXELS) uniform textureBuffer sampleYTexels;
+layout(binding = BIND_COUNTS) uniform utextureBuffer countTexels;
+layout(binding = BIND_WORK) uniform utextureBuffer workTexels;
+layout(binding = BIND_TEXTURES) uniform utextureBuffer textureTexels;
+layout(binding = BIND_UVS) uniform utextureBuffer uvTexels;
+layout(binding = BIND_IMAGES) uniform utextureBuffer imageTexels;
 
 vec3 texelVec3(uvec4 texel) { return uintBitsToFloat(texel.xyz); }
 

@@ -29,6 +29,7 @@ void extensions(Text& text, bool subgroups) {
   text.line("#version 460");
   text.line("#extension GL_GOOGLE_cpp_style_line_directive : require");
   text.line("#extension GL_EXT_control_flow_attributes : require");
+  text.line("#extension GL_EXT_samplerless_texture_functions : require");
   if (!subgroups) return;
   text.line("#extension GL_KHR_shader_subgroup_basic : require");
   text.line("#extension GL_KHR_shader_subgroup_shuffle : require");

@@ -10,9 +10,9 @@
 #include "trace/lane_stack.glsl"
 
 layout(local_size_x = 64) in;
-layout(binding = CHARTED_RAYS) uniform usamplerBuffer rayTexels;
-layout(binding = CHARTED_NODES) uniform usamplerBuffer nodeTexels;
-layout(binding = CHARTED_TRIANGLES) uniform usamplerBuffer triangleTexels;
+layout(binding = CHARTED_RAYS) uniform utextureBuffer rayTexels;
+layout(binding = CHARTED_NODES) uniform utextureBuffer nodeTexels;
+layout(binding = CHARTED_TRIANGLES) uniform utextureBuffer triangleTexels;
 layout(binding = CHARTED_HITS) writeonly buffer HitBlock { vec4 hitOf[]; };
 layout(binding = CHARTED_IDS) writeonly buffer IdBlock { uint idOf[]; };
 layout(push_constant) uniform CountBlock { uvec4 count; };  // rays, reference of the root

@@ -4,7 +4,7 @@
 
 layout(local_size_x = 64 / R) in;
 // Ray: origin, tmin; direction, tmax. Point: xyz, -.
-layout(binding = BINDINGS) uniform usamplerBuffer inputTexels;
+layout(binding = BINDINGS) uniform utextureBuffer inputTexels;
 layout(binding = BINDINGS + 1) writeonly buffer OutputBlock { Stored outputOf[]; };
 // Here Pass holds: region.x the count; core.xyz the light, as bits of floats.
 

@@ -84,6 +84,7 @@ void MethodTracer::take(const Method& method) {
   const std::string text = fmt::format(
       "#version 460\n#extension GL_GOOGLE_cpp_style_line_directive : require\n"
       "#extension GL_EXT_control_flow_attributes : require\n"
+      "#extension GL_EXT_samplerless_texture_functions : require\n"
       "const uint STACK = {}u;\nconst uint TRIANGLES = {}u;\nconst uint BOXES = {}u;\n"
       "const bool QUANTISED = {};\n#include \"charted/methods.glsl\"\n",
       impl_->stack, method.triangles, method.boxes, method.quantised);
