@@ -78,7 +78,10 @@ Connection::Connection(const ViewerAddress& address, const Patience& patience) {
   addrinfo hints{};
   hints.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
-  const int failed = ::getaddrinfo(address.host.c_str(), address.port.c_str(), &hints, &found);
+  // No host means the loopback addresses, which "localhost" always names (RFC 6761, section 6.3),
+  // also where the system resolves no names.
+  const char* host = address.host == "localhost" ? nullptr : address.host.c_str();
+  const int failed = ::getaddrinfo(host, address.port.c_str(), &hints, &found);
   if (failed != 0)
     throw std::runtime_error(failed == EAI_SYSTEM ? reasonOf(errno) : ::gai_strerror(failed));
   const std::unique_ptr<addrinfo, void (*)(addrinfo*)> all(found, ::freeaddrinfo);

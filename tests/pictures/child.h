@@ -1,5 +1,6 @@
 #pragma once
 #include <fcntl.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -11,7 +12,8 @@
 
 namespace laver::test {
 
-/// A running `laver ARGUMENTS` in a folder; killed with the object if it still runs.
+/// A running `laver ARGUMENTS` in a folder; killed if it still runs when the object or the test's
+/// process goes.
 class Child {
  public:
   /// `out` and `err` become its stdout and stderr; by default both go to files of the folder.
@@ -30,6 +32,7 @@ class Child {
     const auto file = [](const char* name) {
       return ::open(name, O_WRONLY | O_CREAT | O_TRUNC, 0600);
     };
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     bool ready = ::chdir(place.c_str()) == 0;
     ready = ready && ::dup2(out ? *out : file("out.txt"), STDOUT_FILENO) >= 0;
     ready = ready && ::dup2(err ? *err : file("err.txt"), STDERR_FILENO) >= 0;

@@ -15,6 +15,9 @@
 
 namespace laver::test {
 
+/// Bounds waiting only: a connection over the loopback interface takes milliseconds.
+inline constexpr int kViewerSeconds = 60;
+
 /// A socket that listens on a free port of the loopback interface, by IPv4 or IPv6.
 class Listener {
  public:
@@ -41,7 +44,19 @@ class Listener {
 
   bool listens() const { return listens_; }
   std::string port() const { return std::to_string(port_); }
-  int accept() const { return ::accept(socket_, nullptr, nullptr); }
+  /// A connection whose reads fail after kViewerSeconds without bytes, or -1 where nobody connects
+  /// for as long.
+  int accept() const {
+    pollfd wanted{socket_, POLLIN, 0};
+    if (::poll(&wanted, 1, kViewerSeconds * 1000) <= 0) {
+      ADD_FAILURE() << "nobody connected within " << kViewerSeconds << " s";
+      return -1;
+    }
+    const int connection = ::accept(socket_, nullptr, nullptr);
+    const timeval bound{kViewerSeconds, 0};
+    ::setsockopt(connection, SOL_SOCKET, SO_RCVTIMEO, &bound, sizeof bound);
+    return connection;
+  }
 
  private:
   int socket_;
@@ -55,13 +70,17 @@ class Viewer {
  public:
   explicit Viewer(int connection) {
     std::vector<char> buffer(1 << 16);
-    for (ssize_t got = 0; (got = ::read(connection, buffer.data(), buffer.size())) > 0;) {
+    ssize_t got = 0;
+    while ((got = ::read(connection, buffer.data(), buffer.size())) > 0) {
       bytes_.insert(bytes_.end(), buffer.begin(), buffer.begin() + got);
       received += static_cast<std::size_t>(got);
       while (packet()) {
       }
     }
-    ::close(connection);
+    if (connection >= 0) {
+      EXPECT_EQ(got, 0) << "no byte for " << kViewerSeconds << " s";
+      ::close(connection);
+    }
     EXPECT_EQ(bytes_.size(), 0U) << "half a packet";
   }
 
