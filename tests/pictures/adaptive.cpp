@@ -34,7 +34,7 @@ TEST(Adaptive, SameBitsForThreadsBandsPassesTraversalsAndKernels) {
 
   // Four samples of a few rows a pass; sixteen of a part of the film.
   for (const std::uint64_t slots : {96U * 11 * 4, 96U * 60 * 16}) {
-    VulkanOptions cut = cpuDevice();
+    VulkanOptions cut = onTestDevice();
     cut.samplesInFlight = slots;
     expectSame(whole, renderTo(scene, adaptive(), cut));
   }
@@ -52,8 +52,8 @@ TEST(Adaptive, LaneAndPacketsAgreeOnEveryFilterAndAnOddFilm) {
                                Filter{&filters::gaussian, 3.7, 1.1, 0.0, 0.0}}) {
       scene.filter = filter;
       const Adaptive whole = renderTo(scene, adaptive());
-      for (const char* traversal : kTraversals)
-        expectSame(whole, renderTo(scene, adaptive(), cpuDevice(traversal)));
+      for (const std::string& traversal : traversals())
+        expectSame(whole, renderTo(scene, adaptive(), onTestDevice(traversal)));
     }
   }
 }
@@ -138,7 +138,7 @@ TEST(Adaptive, EqualsTheReferenceWhereRegionsOfDifferentCountsMeet) {
 
 TEST(Adaptive, StopsBetweenPassesAndWhileItDecides) {
   const Scene scene = floorScene();
-  VulkanOptions vulkan = cpuDevice();
+  VulkanOptions vulkan = onTestDevice();
   vulkan.samplesInFlight = std::uint64_t{128} * 96 * 16;  // rows are stored in columns of 64
   for (const int passes : {2, kPilots + 1}) {
     RenderOptions options = adaptive();
@@ -160,7 +160,7 @@ class AdaptiveCommand : public CommandLine {};
 TEST_F(AdaptiveCommand, WritesTheMapOfSamplesAndTellsWhatItDid) {
   const std::string scene = (scenesFolder() / "wide-floor.xml").string();
   const Outcome run =
-      laver(scene + " --device cpu --size 64x64 --spp 18 --error 0.01 -o a.exr --stats");
+      laver(scene + " --device $device --size 64x64 --spp 18 --error 0.01 -o a.exr --stats");
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_NE(run.err.find("adaptive     error 0.01: "), std::string::npos) << run.err;
   EXPECT_EQ(files(), (std::set<std::string>{"a.exr", "a.png"}));
@@ -179,7 +179,8 @@ TEST_F(AdaptiveCommand, RefusesWhatItCannotDoInOneLine) {
   write("scene.xml", kFirstScene);
   for (const char* arguments : {"--error 0", "--error -1", "--error nan", "--error small",
                                 "--error 0.01 --spp 3", "--error 0.01 --spp 16 --reference"}) {
-    const Outcome run = laver(std::string("scene.xml --device cpu -o a.exr --quiet ") + arguments);
+    const Outcome run =
+        laver(std::string("scene.xml --device $device -o a.exr --quiet ") + arguments);
     EXPECT_EQ(run.code, 2) << arguments;
     EXPECT_NE(run.err.find("--error"), std::string::npos) << run.err;
   }

@@ -22,7 +22,7 @@ struct Adaptive {
 };
 
 inline Adaptive renderTo(const Scene& scene, const RenderOptions& options,
-                         const VulkanOptions& vulkan = cpuDevice()) {
+                         const VulkanOptions& vulkan = onTestDevice()) {
   Stats stats;
   Rendered rendered = Renderer(vulkan).render(scene, options, stats);
   EXPECT_TRUE(rendered.whole());

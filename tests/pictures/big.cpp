@@ -16,7 +16,7 @@ TEST(FullBig, TenMillionTriangles) {
   ASSERT_GT(scene.meshes[0].triangles.size(), 10000000U);
   scene.camera.width = scene.camera.height = 64;
   Stats stats;
-  const Image image = Renderer(cpuDevice()).render(scene, {}, stats).image;
+  const Image image = Renderer(onTestDevice()).render(scene, {}, stats).image;
   EXPECT_EQ(stats.triangles, scene.meshes[0].triangles.size());
   // The sphere's nearest point is 3 units away, give or take its bumps of 0.05.
   EXPECT_NEAR(image.at(32, 32, 0), 1.0F / 3.0F, 0.01F);
@@ -39,7 +39,7 @@ TEST(FullBig, AFilmOf16384Pixels) {
   scene.camera.fov = 20.0;
   RenderOptions options;
   options.crop = Crop{0, 16000, 16384, 16384};
-  const Image image = render(scene, cpuDevice(), options);
+  const Image image = render(scene, onTestDevice(), options);
   EXPECT_EQ(image.height, 384);
   EXPECT_TRUE(std::all_of(image.pixels.begin(), image.pixels.end(),
                           [](float v) { return v > 0.0F || v == 0.0F; }));

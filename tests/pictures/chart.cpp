@@ -31,7 +31,7 @@ class ChartCommandLine : public CommandLine {
 
   Outcome chart(const std::string& more = "") {
     const std::string samples = more.find("--spp") == std::string::npos ? "--spp 4 " : "";
-    return laver("chart s.xml --out c --size 16x12 --runs 1 --reference-spp 16 --device cpu " +
+    return laver("chart s.xml --out c --size 16x12 --runs 1 --reference-spp 16 --device $device " +
                  samples + more);
   }
   nlohmann::json json() { return nlohmann::json::parse(contents(folder_ / "c/chart.json")); }

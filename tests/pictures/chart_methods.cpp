@@ -16,7 +16,7 @@ namespace {
 using namespace chart;
 
 /// A closed sphere before the camera.
-Scene ballScene() {
+Scene sphereScene() {
   Scene scene;
   scene.meshes.push_back(bumpySphere(40, 60, 0.05, {0.0, 0.0, 0.0}));
   scene.camera.width = scene.camera.height = 64;
@@ -27,7 +27,7 @@ Scene ballScene() {
 Bvh ballTree() { return pack(ballScene(), {}, uploadsOf(ballScene(), {})).bvh; }
 
 TEST(ChartMethods, QuantisedNodesHoldWhatTheyStandFor) {
-  for (const Bvh& bvh : {ballTree(), withTightBoxes(ballTree())}) {
+  for (const Bvh& bvh : {sphereTree(), withTightBoxes(sphereTree())}) {
     const auto texels = quantised(bvh);
     ASSERT_EQ(texels.size(), bvh.nodes.size() * 9);
     double grown = 0, count = 0;
@@ -52,7 +52,7 @@ TEST(ChartMethods, QuantisedNodesHoldWhatTheyStandFor) {
 }
 
 TEST(ChartMethods, TightBoxesLieWithinTheBuilders) {
-  const Bvh grown = ballTree(), tight = withTightBoxes(grown);
+  const Bvh grown = sphereTree(), tight = withTightBoxes(grown);
   for (std::size_t n = 0; n < grown.nodes.size(); ++n)
     for (std::size_t c = 0; c < 8; ++c) {
       if (grown.nodes[n].child[c].ref == shared::REF_NONE) continue;
@@ -64,7 +64,7 @@ TEST(ChartMethods, TightBoxesLieWithinTheBuilders) {
 }
 
 TEST(ChartMethods, TheUsualTestLosesRaysAtEdgesAndOursNone) {
-  const auto points = chartMethods(ballScene(), "cpu", 1, {});
+  const auto points = chartMethods(sphereScene(), testDevice(), 1, {});
   ASSERT_EQ(points.size(), 24U);
   for (const MethodPoint& m : points) {
     SCOPED_TRACE(m.triangles + ", " + m.boxes + ", " + m.nodes);
@@ -89,8 +89,8 @@ TEST(ChartMethods, TheUsualTestLosesRaysAtEdgesAndOursNone) {
     EXPECT_EQ(copy.unexplained, m.unexplained);
     EXPECT_EQ(copy.quartiles[1], m.quartiles[1]);
   }
-  EXPECT_TRUE(chartMethods(ballScene(), "cpu", 1, [] { return true; }).empty());
-  EXPECT_TRUE(chartMethods(Scene(), "cpu", 1, {}).empty());
+  EXPECT_TRUE(chartMethods(sphereScene(), testDevice(), 1, [] { return true; }).empty());
+  EXPECT_TRUE(chartMethods(Scene(), testDevice(), 1, {}).empty());
 }
 
 /// Nearest hits by laver's test, without a tree, but for which signs of the edge functions, the

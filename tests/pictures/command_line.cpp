@@ -10,7 +10,7 @@ namespace {
 
 TEST_F(CommandLine, RendersTheFirstSceneOfTheHandOut) {
   write("test.xml", kFirstScene);
-  const Outcome run = laver("test.xml --nogui --device cpu");
+  const Outcome run = laver("test.xml --nogui --device $device");
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_NE(run.err.find("test.xml:3:"), std::string::npos) << run.err;
   EXPECT_NE(run.err.find("warning"), std::string::npos);
@@ -30,7 +30,7 @@ TEST_F(CommandLine, RendersTheFirstSceneOfTheHandOut) {
 TEST_F(CommandLine, OverridesReachThePictureAndItsAttributes) {
   write("test.xml", kFirstScene);
   const Outcome run = laver(
-      "test.xml --device cpu --quiet --size 40x30 --crop 3,4,13,24 --spp 2 --seed 9 -o a.exr "
+      "test.xml --device $device --quiet --size 40x30 --crop 3,4,13,24 --spp 2 --seed 9 -o a.exr "
       "--stats=s.json");
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.out, "");
@@ -69,15 +69,15 @@ TEST_F(CommandLine, UsageErrorsAreOneLineAndExitTwo) {
                                 "test.xml --size 12x",
                                 "test.xml --size axb",
                                 "test.xml --crop 1,2,3",
-                                "test.xml --crop 0,0,5000,2 --device cpu",
-                                "test.xml --crop 4,4,4,8 --device cpu",
+                                "test.xml --crop 0,0,5000,2 --device $device",
+                                "test.xml --crop 4,4,4,8 --device $device",
                                 "test.xml --spp 0",
                                 "test.xml --spp -3",
                                 "test.xml --integrator path_mis",
                                 "test.xml --sampler halton",
                                 "test.xml --filter sinc",
-                                "test.xml -o picture.jpg --device cpu",
-                                "test.xml --device cpu --traversal magic",
+                                "test.xml -o picture.jpg --device $device",
+                                "test.xml --device $device --traversal magic",
                                 "compare",
                                 "compare a.exr",
                                 "compare a.exr b.exr",
@@ -94,11 +94,11 @@ TEST_F(CommandLine, SceneErrorsExitThreeAndTouchNoOutput) {
   write("bad.xml",
         "<scene>\n  <integrator type=\"normals\"/>\n  <camera type=\"fisheye\"/>\n</scene>\n");
   write("bad.exr", "precious");
-  const Outcome run = laver("bad.xml --device cpu");
+  const Outcome run = laver("bad.xml --device $device");
   EXPECT_EQ(run.code, 3);
   EXPECT_EQ(run.err.rfind("bad.xml:3:4: error: ", 0), 0U) << run.err;
   EXPECT_EQ(contents(folder_ / "bad.exr"), "precious");
-  EXPECT_EQ(laver("missing.xml --device cpu").code, 3);
+  EXPECT_EQ(laver("missing.xml --device $device").code, 3);
 }
 
 TEST_F(CommandLine, AnUnknownDeviceExitsFour) {
@@ -110,9 +110,9 @@ TEST_F(CommandLine, AnUnknownDeviceExitsFour) {
 
 TEST_F(CommandLine, AnOutputThatCannotBeWrittenExitsOne) {
   write("test.xml", kFirstScene);
-  EXPECT_EQ(laver("test.xml --device cpu --size 8x8 --quiet -o nofolder/a.exr").code, 1);
+  EXPECT_EQ(laver("test.xml --device $device --size 8x8 --quiet -o nofolder/a.exr").code, 1);
   fs::create_directory(folder_ / "folder.exr");
-  EXPECT_EQ(laver("test.xml --device cpu --size 8x8 --quiet -o folder.exr").code, 1);
+  EXPECT_EQ(laver("test.xml --device $device --size 8x8 --quiet -o folder.exr").code, 1);
 }
 
 TEST_F(CommandLine, CompareMeasuresAndJudges) {
@@ -143,7 +143,7 @@ TEST_F(CommandLine, CompareExplainsAScene) {
         "<transform name=\"toWorld\"><lookat origin=\"0,0,4\" target=\"0,0,0\" up=\"0,1,0\"/>"
         "</transform></camera><mesh type=\"obj\"><string name=\"filename\" value=\"t.obj\"/>"
         "</mesh></scene>");
-  const Outcome run = laver("compare --explain test.xml --device cpu");
+  const Outcome run = laver("compare --explain test.xml --device $device");
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_NE(run.out.find("other triangle: 0"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("unexplained: 0\n"), std::string::npos) << run.out;
@@ -187,7 +187,7 @@ TEST_F(CommandLine, NeedsNoFolderToKeepKernelsIn) {
   write("scene.xml", "<scene><integrator type=\"normals\"/><camera type=\"perspective\"/></scene>");
   for (const char* variables : {"env -u HOME -u XDG_CACHE_HOME",
                                 "MESA_SHADER_CACHE_DISABLE=true XDG_CACHE_HOME=/proc/none"}) {
-    const Outcome run = laver("scene.xml --device cpu -q --size 8x8", variables);
+    const Outcome run = laver("scene.xml --device $device -q --size 8x8", variables);
     EXPECT_EQ(run.code, 0) << variables;
     EXPECT_EQ(run.err, "") << variables;
   }

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "support/temporary_folder.h"
+#include "support/test_device.h"
 
 namespace laver::test {
 
@@ -23,12 +24,12 @@ struct Outcome {
 class CommandLine : public testing::Test, protected TemporaryFolder {
  protected:
   /// Runs `laver ARGUMENTS` in the test's folder, with what is written before it (variables,
-  /// limits) and redirections after it.
+  /// limits) and redirections after it. $device in the arguments is the test device.
   Outcome laver(const std::string& arguments, const std::string& variables = "",
                 const std::string& redirections = "") {
-    const std::string command = "cd " + folder_.string() + " && " + variables +
-                                " '" LAVER_BINARY "' " + arguments + " >out.txt 2>err.txt " +
-                                redirections;
+    const std::string command = "device='" + testDevice() + "'; cd " + folder_.string() + " && " +
+                                variables + " '" LAVER_BINARY "' " + arguments +
+                                " >out.txt 2>err.txt " + redirections;
     const int status = std::system(command.c_str());
     return {WEXITSTATUS(status), contents(folder_ / "out.txt"), contents(folder_ / "err.txt")};
   }

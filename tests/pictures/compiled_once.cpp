@@ -16,7 +16,7 @@ TEST_F(CommandLine, KernelsAreCompiledOnceForAllSizes) {
   // 64 x 64 and 16 x 16 samples take multiples of 256 bytes, of 65536, powers of two.
   for (const char* size : {"33x35", "64x64", "16x16", "256x16"}) {
     const Outcome run =
-        laver("test.xml --device cpu -q --spp 1 --traversal packet --size " + std::string(size),
+        laver("test.xml --device $device -q --spp 1 --traversal packet --size " + std::string(size),
               "MESA_SHADER_CACHE_DIR=cache");
     ASSERT_EQ(run.code, 0) << run.err;
     if (first.empty()) first = cached();

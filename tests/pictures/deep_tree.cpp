@@ -28,7 +28,7 @@ Scene cone() {
 TEST(DeepTree, KernelsAreCompiledAnewForItsStack) {
   const Scene scene = cone();
   const Image truth = Reference(scene).render().image;
-  for (const char* traversal : kTraversals) {
+  for (const std::string& traversal : traversals()) {
     Stats stats;
     const Image image = Renderer(cpuDevice(traversal)).render(scene, {}, stats).image;
     EXPECT_GT(stats.stack, choicesOf(scene).pictures.front().key.stack);

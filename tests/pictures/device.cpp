@@ -1,23 +1,14 @@
-// Limits, validation and errors of the Vulkan path.
+// Limits and errors of the Vulkan path.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <optional>
 
 #include "pictures/harness.h"
 #include "support/bumpy_sphere.h"
 
 namespace laver::test {
 namespace {
-
-TEST(Device, ValidationLayersHaveNothingToSay) {
-  VulkanOptions vulkan = cpuDevice();
-  vulkan.validate = true;
-  for (const char* name :
-       {"bunny-normals.xml", "bunny-depth.xml", "bunny-whitted.xml", "cornell-two-lights.xml"})
-    EXPECT_NO_THROW(render(smallScene(name, 64, 2), vulkan)) << name;
-  Scene empty;
-  empty.camera.width = empty.camera.height = 16;
-  EXPECT_NO_THROW(render(empty, vulkan));
-}
 
 TEST(Device, AnUnknownNameIsAnErrorThatListsWhatThereIs) {
   VulkanOptions vulkan;
@@ -36,7 +27,7 @@ TEST(Device, AnUnknownNameIsAnErrorThatListsWhatThereIs) {
 }
 
 TEST(Device, AnUnknownTraversalIsAUsageError) {
-  VulkanOptions vulkan = cpuDevice();
+  VulkanOptions vulkan = onTestDevice();
   vulkan.traversal = "magic";
   try {
     render(Scene{}, vulkan);
@@ -70,8 +61,18 @@ TEST(Device, AFlatFieldIsFlatWithEveryFilter) {
   }
 }
 
-TEST(Device, APacketThatMeetsTooMuchIsTracedRayByRay) {
-  // One packet sees all of a fine sphere: more turns than lavapipe runs.
+/// Whether the driver ends a loop after 65,535 iterations: llvmpipe before Mesa 25.0. Not known of
+/// other drivers.
+std::optional<bool> loopsEndEarly() {
+  const std::string& driver = testDeviceInfo().driver;
+  const std::size_t mesa = driver.find("llvmpipe Mesa ");
+  if (mesa == std::string::npos) return {};
+  return std::stoi(driver.substr(mesa + std::strlen("llvmpipe Mesa "))) < 25;
+}
+
+TEST(Device, APacketOfTooManyIterationsIsTracedRayByRay) {
+  if (traversals().size() == 1) GTEST_SKIP() << testDeviceInfo().name << " traces no packets";
+  // One packet sees all of a fine sphere: more than 65,535 iterations.
   Scene scene;
   scene.meshes = {bumpySphere(250, 500, 0.05, glm::dvec3(0.0, 0.0, 250.0))};
   scene.camera.width = scene.camera.height = 8;
@@ -90,7 +91,7 @@ TEST(Device, APacketThatMeetsTooMuchIsTracedRayByRay) {
   }
   // Left to itself the renderer does not try.
   Stats own;
-  Renderer(cpuDevice()).render(scene, {}, own);
+  Renderer(onTestDevice()).render(scene, {}, own);
   EXPECT_EQ(own.traversal, "lane");
   EXPECT_EQ(own.reasons.size() + 1, stats.reasons.size());
 }

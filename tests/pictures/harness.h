@@ -1,42 +1,77 @@
 #pragma once
 #include <gtest/gtest.h>
 
-#include <array>
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/error.h"
 #include "image/image.h"
 #include "render/choices.h"
 #include "render/observer.h"
 #include "render/renderer.h"
+#include "render/traversal.h"
 #include "scene/scene.h"
 #include "vulkan/device.h"
 
 namespace laver::test {
 
-/// The device of all tests: by type, whatever its driver is called.
-inline VulkanOptions cpuDevice() {
+inline VulkanOptions onTestDevice() {
   VulkanOptions options;
-  options.device = "cpu";
+  options.device = testDevice();
   return options;
 }
 
-/// What traces on the test device: subgroups of 8 lanes can do all.
-inline constexpr std::array kTraversals{"lane", "packet32", "packet64"};
-
-inline VulkanOptions cpuDevice(const std::string& traversal) {
-  VulkanOptions options = cpuDevice();
+inline VulkanOptions onTestDevice(const std::string& traversal) {
+  VulkanOptions options = onTestDevice();
   options.traversal = traversal;
   return options;
 }
 
+inline const DeviceInfo& testDeviceInfo() {
+  static const DeviceInfo info = [] {
+    const Instance instance(false);
+    return deviceInfo(choosePhysicalDevice(instance, testDevice()));
+  }();
+  return info;
+}
+
+/// Those that the test device can run.
+inline std::vector<std::string> traversals() {
+  if (bestTraversal(testDeviceInfo()) == "packet") return {"lane", "packet32", "packet64"};
+  return {"lane"};
+}
+
 inline std::filesystem::path scenesFolder() {
   return std::filesystem::path(LAVER_SOURCE_DIR) / "scenes";
+}
+
+/// File names of the ready scenes.
+inline std::vector<std::string> sceneNames() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(scenesFolder()))
+    if (entry.path().extension() == ".xml") names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// Names a test after its scene.
+inline std::string sceneTestName(const testing::TestParamInfo<std::string>& parameter) {
+  std::string name = parameter.param.substr(0, parameter.param.find('.'));
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+inline RenderOptions allLayers() {
+  RenderOptions options;
+  options.layers = {Layer::Normals,  Layer::Depth, Layer::Albedo, Layer::Uv,
+                    Layer::Position, Layer::Id,    Layer::Samples};
+  return options;
 }
 
 /// A scene of scenes/, `width` pixels wide with its film's proportions, `samples` a pixel.
@@ -49,7 +84,7 @@ inline Scene smallScene(const std::string& name, int width, std::uint32_t sample
   return loadScene(file, overrides).scene;
 }
 
-inline Image render(const Scene& scene, const VulkanOptions& vulkan = cpuDevice(),
+inline Image render(const Scene& scene, const VulkanOptions& vulkan = onTestDevice(),
                     const RenderOptions& options = {}) {
   Stats stats;
   Rendered rendered = Renderer(vulkan).render(scene, options, stats);
@@ -123,8 +158,8 @@ inline std::size_t differingFloats(const Image& a, const Image& b) {
 
 /// All traversals give `image`'s bits.
 inline void expectSameByAll(const Image& image, const Scene& scene) {
-  for (const char* traversal : kTraversals)
-    EXPECT_EQ(differingFloats(image, render(scene, cpuDevice(traversal))), 0U)
+  for (const std::string& traversal : traversals())
+    EXPECT_EQ(differingFloats(image, render(scene, onTestDevice(traversal))), 0U)
         << scene.file << ' ' << traversal;
 }
 

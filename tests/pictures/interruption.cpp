@@ -119,7 +119,7 @@ class Interruption : public CommandLine {
 
 TEST_F(Interruption, CtrlCWritesWhatThereIsUnderAnotherName) {
   auto arguments = longRender();
-  arguments.insert(arguments.end(), {"--device", "cpu"});
+  arguments.insert(arguments.end(), {"--device", testDevice()});
   endsEarly(arguments, SIGINT, 130);
 }
 
@@ -174,7 +174,7 @@ TEST(Stop, LeavesBothRenderersWithTheSamePartOfTheSamples) {
   EXPECT_EQ(reference.reached.rows, 64);
   EXPECT_EQ(reference.reached.wholeRows, 0);
 
-  VulkanOptions vulkan = cpuDevice();
+  VulkanOptions vulkan = onTestDevice();
   vulkan.samplesInFlight = 131072;  // 32 a pixel
   Stats stats;
   const auto [image, reached, dropped] =
@@ -189,7 +189,7 @@ TEST(Stop, LeavesBothRenderersWithTheSamePartOfTheSamples) {
 
 TEST(Stop, LeavesVulkansBandsWholeOrPartOrBlack) {
   const Scene scene = smallScene("cornell-two-lights.xml", 64, 32);
-  VulkanOptions vulkan = cpuDevice();
+  VulkanOptions vulkan = onTestDevice();
   vulkan.samplesInFlight = 10240;  // bands of some rows, eight samples a pass
   Renderer renderer(vulkan);
   Stats all;

@@ -11,13 +11,6 @@
 namespace laver::test {
 namespace {
 
-RenderOptions allLayers() {
-  RenderOptions options;
-  options.layers = {Layer::Normals,  Layer::Depth, Layer::Albedo, Layer::Uv,
-                    Layer::Position, Layer::Id,    Layer::Samples};
-  return options;
-}
-
 /// Those channels of a picture.
 Image channelsOf(const Image& image, const std::vector<std::string>& names) {
   Image part = blackImage(image.width, image.height, names);
@@ -72,7 +65,7 @@ void expectAlike(const Image& a, const Image& b, double tolerance, const Excuse&
 
 void expectLayersOfTheReference(const Scene& scene) {
   const RenderOptions options = allLayers();
-  const Image image = render(scene, cpuDevice(), options);
+  const Image image = render(scene, onTestDevice(), options);
   const Reference reference(scene);
   const Image truth = reference.render(options).image;
   const double moved = movedBy(scene, reference);
@@ -107,21 +100,22 @@ TEST(Layers, HoldTheVerticesTextureCoordinates) {
     for (const glm::dvec3& p : mesh.positions) mesh.uvs.emplace_back(p);
     mesh.triangles = {order};
     scene.meshes = {mesh};
-    const Image image = render(scene, cpuDevice(), allLayers());
+    const Image image = render(scene, onTestDevice(), allLayers());
     const Image uv = channelsOf(image, {"u", "v"}), xy = channelsOf(image, {"P.X", "P.Y"});
     EXPECT_GT(uv.at(16, 16, 1) * uv.at(16, 16, 1), 0.0F);
     for (std::size_t i = 0; i < uv.pixels.size(); ++i)
       ASSERT_NEAR(uv.pixels[i], xy.pixels[i], 1e-6F);
     expectLayersOfTheReference(scene);
     scene.meshes[0].uvs.clear();
-    for (const float v : channelsOf(render(scene, cpuDevice(), allLayers()), {"u", "v"}).pixels)
+    for (const float v : channelsOf(render(scene, onTestDevice(), allLayers()), {"u", "v"}).pixels)
       ASSERT_EQ(v, 0.0F);
   }
 }
 
 TEST(Layers, HoldTheSignsOfNormals) {
   const Scene scene = smallScene("curved-normals.xml", 64, 2);
-  const Image normals = channelsOf(render(scene, cpuDevice(), allLayers()), {"N.X", "N.Y", "N.Z"});
+  const Image normals =
+      channelsOf(render(scene, onTestDevice(), allLayers()), {"N.X", "N.Y", "N.Z"});
   const auto [least, most] = std::minmax_element(normals.pixels.begin(), normals.pixels.end());
   EXPECT_LT(*least, -0.5F);
   EXPECT_GT(*most, 0.5F);
@@ -135,7 +129,7 @@ TEST(Layers, ArePositionsInTheScenesOwnSpaceAndTrianglesOfTheirMesh) {
   scene.camera.toWorld[3] = glm::dvec4(5000.0, 100.0, -10.0, 1.0);
   scene.meshes = {bumpySphere(8, 8, 0.0, glm::dvec3(5050.0, 100.0, 0.0)),
                   bumpySphere(40, 40, 0.0, glm::dvec3(5000.0, 100.0, 0.0))};
-  const Image image = render(scene, cpuDevice(), allLayers());
+  const Image image = render(scene, onTestDevice(), allLayers());
   const Image at = channelsOf(image, {"Z", "P.X", "P.Y", "P.Z", "shape_index", "prim_index"});
   EXPECT_NEAR(at.at(16, 16, 0), 9.0F, 0.01F);
   EXPECT_NEAR(at.at(16, 16, 1), 5000.0F, 0.01F);
@@ -155,7 +149,7 @@ TEST(Layers, OfNothingAreEmpty) {
   Scene scene;
   scene.camera.width = 40;
   scene.camera.height = 30;
-  const Image image = render(scene, cpuDevice(), allLayers());
+  const Image image = render(scene, onTestDevice(), allLayers());
   EXPECT_EQ(channelsOf(image, {"N.X", "Albedo.R", "Z", "P.X"}).pixels,
             std::vector<float>(std::size_t{40} * 30 * 4, 0.0F));
   EXPECT_EQ(channelsOf(image, {"prim_index"}).pixels,
@@ -168,7 +162,7 @@ TEST(Layers, LeaveThePicturesBits) {
   options.more = {{&integrators::depth}, {&integrators::normals}};
   scene.integrator = {&integrators::directWhitted};
   scene.lights.resize(9, scene.lights.at(0));  // more than a dispatch takes
-  const Image image = render(scene, cpuDevice(), options);
+  const Image image = render(scene, onTestDevice(), options);
   EXPECT_EQ(differingFloats(channelsOf(image, {"R", "G", "B"}), render(scene)), 0U);
   scene.integrator = {&integrators::depth};
   EXPECT_EQ(differingFloats(channelsOf(image, {"depth.R", "depth.G", "depth.B"}), render(scene)),
@@ -182,8 +176,8 @@ TEST(Layers, LeaveThePicturesBits) {
 TEST(Layers, AreTheSameHoweverTheyAreMade) {
   const Scene scene = smallScene("mirrored-instances.xml", 131, 5);
   const RenderOptions options = allLayers();
-  const Image whole = render(scene, cpuDevice(), options);
-  VulkanOptions pieces = cpuDevice(), generic = cpuDevice();
+  const Image whole = render(scene, onTestDevice(), options);
+  VulkanOptions pieces = onTestDevice(), generic = onTestDevice();
   pieces.samplesInFlight = std::uint64_t{131} * 7 * 5;
   generic.general = generalParts();
   for (const char* traversal : kTraversals)
@@ -194,7 +188,7 @@ TEST(Layers, AreTheSameHoweverTheyAreMade) {
   RenderOptions cropped = options;
   const Crop crop{30, 9, 77, 50};
   cropped.crop = crop;
-  const Image part = render(scene, cpuDevice(), cropped);
+  const Image part = render(scene, onTestDevice(), cropped);
   Image wanted = blackImage(crop.x1 - crop.x0, crop.y1 - crop.y0, whole.channels);
   for (int y = crop.y0; y < crop.y1; ++y)
     for (int x = crop.x0; x < crop.x1; ++x)
@@ -205,7 +199,7 @@ TEST(Layers, AreTheSameHoweverTheyAreMade) {
 
 TEST(Layers, OfAStoppedRenderAreCounted) {
   const Scene scene = smallScene("cornell-two-lights.xml", 64, 8);
-  VulkanOptions vulkan = cpuDevice();
+  VulkanOptions vulkan = onTestDevice();
   vulkan.samplesInFlight = 5120;  // several passes
   Stats all;
   Renderer(vulkan).render(scene, {}, all);
@@ -238,7 +232,7 @@ const char* const kTriangle = "v -1 -1 3\nv 1 -1 3\nv 0 1 3\nf 1 2 3\n";
 TEST_F(CommandLine, LayersAreChannelsOfTheFile) {
   write("a.obj", kTriangle);
   write("a.xml", kDisney);
-  for (const char* how : {"--device cpu", "--reference"}) {
+  for (const char* how : {"--device $device", "--reference"}) {
     const Outcome run = laver(std::string("a.xml -q --size 32x24 --layers normals,depth,id ") +
                               "--integrator normals,depth " + how);
     EXPECT_EQ(run.code, 0) << run.err;
@@ -258,13 +252,14 @@ TEST_F(CommandLine, LayersAreChannelsOfTheFile) {
 TEST_F(CommandLine, TheAlbedoLayerNeedsMaterials) {
   write("a.obj", kTriangle);
   write("a.xml", kDisney);
-  const Outcome run = laver("a.xml --device cpu --layers albedo");
+  const Outcome run = laver("a.xml --device $device --layers albedo");
   EXPECT_EQ(run.code, 3);
   EXPECT_NE(run.err.find("a.xml:2:2: error: laver has no bsdf of type \"disney\""),
             std::string::npos)
       << run.err;
-  EXPECT_EQ(laver("a.xml --device cpu -q --size 8x8 --integrator depth,direct_whitted").code, 3);
-  const Outcome uv = laver("a.xml --device cpu -q --size 8x8 --layers uv");
+  EXPECT_EQ(laver("a.xml --device $device -q --size 8x8 --integrator depth,direct_whitted").code,
+            3);
+  const Outcome uv = laver("a.xml --device $device -q --size 8x8 --layers uv");
   EXPECT_EQ(uv.code, 0);
   EXPECT_NE(uv.err.find("laver: warning: \"a.obj\" has no texture coordinates"), std::string::npos)
       << uv.err;

@@ -68,12 +68,12 @@ TEST(Occlusion, LengthIsInSceneUnits) {
 TEST(Occlusion, PassesAndCropsKeepTheNumbers) {
   const Scene scene = smallScene("cornell-ao.xml", 70, 5);
   const Image whole = render(scene);
-  VulkanOptions pieces = cpuDevice();
+  VulkanOptions pieces = onTestDevice();
   pieces.samplesInFlight = std::uint64_t{70} * 7;
   EXPECT_EQ(differingFloats(whole, render(scene, pieces)), 0U);
   RenderOptions options;
   options.crop = Crop{31, 30, 70, 66};
-  const Image part = render(scene, cpuDevice(), options);
+  const Image part = render(scene, onTestDevice(), options);
   for (int y = 30; y < 66; ++y)
     for (int x = 31; x < 70; ++x)
       for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(part.at(x - 31, y - 30, c), whole.at(x, y, c));

@@ -19,7 +19,7 @@ Scene sceneOf(const SamplerRow* kind, std::uint32_t samples) {
 
 /// Bands of some rows, few samples a pass.
 VulkanOptions inPieces(const char* traversal) {
-  VulkanOptions vulkan = cpuDevice();
+  VulkanOptions vulkan = onTestDevice();
   vulkan.traversal = traversal;
   vulkan.samplesInFlight = 5120;
   return vulkan;
@@ -106,7 +106,7 @@ TEST_F(Resume, AnEndedOneIsThePictureOfBothGoes) {
 
 std::string arguments(const std::string& more, const char* size = "40x40") {
   return (scenesFolder() / "cornell-two-lights.xml").string() +
-         " --device cpu --quiet -o a.exr --size " + size + ' ' + more;
+         " --device $device --quiet -o a.exr --size " + size + ' ' + more;
 }
 
 TEST_F(Resume, OnTheCommandLine) {

@@ -25,8 +25,9 @@ TEST(SameBits, OneAndTwoThreadsOfTheHost) {
   RenderOptions one, two;
   one.threads = 1;
   two.threads = 2;
-  EXPECT_EQ(differingFloats(render(bunny(), cpuDevice(), one), render(bunny(), cpuDevice(), two)),
-            0U);
+  EXPECT_EQ(
+      differingFloats(render(bunny(), onTestDevice(), one), render(bunny(), onTestDevice(), two)),
+      0U);
 }
 
 TEST(SameBits, OtherBandsAndPasses) {
@@ -35,7 +36,7 @@ TEST(SameBits, OtherBandsAndPasses) {
   // All samples of a few rows a pass; one row at a time; two of five samples of the film a pass.
   const auto width = static_cast<std::uint64_t>(scene.camera.width);
   for (const std::uint64_t slots : {width * 7 * 5, width * 5, width * width * 2}) {
-    VulkanOptions vulkan = cpuDevice();
+    VulkanOptions vulkan = onTestDevice();
     vulkan.samplesInFlight = slots;
     Stats stats;
     const Image cut = Renderer(vulkan).render(scene, {}, stats).image;
@@ -51,7 +52,7 @@ TEST(SameBits, ACropIsCutOutOfTheFullPicture) {
        {Crop{0, 0, 17, 9}, Crop{31, 30, 70, 66}, Crop{100, 1, 120, 120}, Crop{60, 60, 61, 61}}) {
     RenderOptions options;
     options.crop = crop;
-    const Image part = render(scene, cpuDevice(), options);
+    const Image part = render(scene, onTestDevice(), options);
     Image wanted = rgbImage(crop.x1 - crop.x0, crop.y1 - crop.y0);
     for (int y = crop.y0; y < crop.y1; ++y)
       for (int x = crop.x0; x < crop.x1; ++x)
@@ -73,24 +74,22 @@ TEST(SameBits, KernelsSpecialisedToTheSceneOrNot) {
 }
 
 TEST(SameBits, LaneAndPackets) {
-  for (const auto& entry : std::filesystem::directory_iterator(scenesFolder())) {
-    if (entry.path().extension() != ".xml") continue;
+  for (const std::string& name : sceneNames()) {
     // An odd width leaves packets with rays that do not live.
-    const Scene scene = smallScene(entry.path().filename().string(), 131, 2);
+    const Scene scene = smallScene(name, 131, 2);
     expectSameByAll(render(scene), scene);
   }
 }
 
 TEST(SameBits, WholeFilmOrItsVisibleRegion) {
-  VulkanOptions whole = cpuDevice();
+  VulkanOptions whole = onTestDevice();
   whole.wholeFilm = true;
   std::size_t less = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(scenesFolder())) {
-    if (entry.path().extension() != ".xml") continue;
-    const Scene scene = smallScene(entry.path().filename().string(), 131, 3);
+  for (const std::string& name : sceneNames()) {
+    const Scene scene = smallScene(name, 131, 3);
     RenderOptions options;
     options.layers = {Layer::Normals, Layer::Depth, Layer::Id};
-    VulkanOptions vulkan = cpuDevice();
+    VulkanOptions vulkan = onTestDevice();
     vulkan.poisoned = true;
     Stats stats;
     const Image image = Renderer(vulkan).render(scene, options, stats).image;
@@ -101,7 +100,7 @@ TEST(SameBits, WholeFilmOrItsVisibleRegion) {
 }
 
 TEST(SameBits, WholeFilmOrASmallVisibleRegionInBandsAndCrops) {
-  VulkanOptions whole = cpuDevice();
+  VulkanOptions whole = onTestDevice();
   whole.wholeFilm = true;
   Scene scene = smallScene("bunny-whitted.xml", 150, 20);
   scene.meshes.resize(1);  // no floor
@@ -114,12 +113,12 @@ TEST(SameBits, WholeFilmOrASmallVisibleRegionInBandsAndCrops) {
     scene.filter.row = kind;
     scene.filter.radius = radius;
     const Image image = render(scene, whole);
-    for (const char* traversal : kTraversals) {
-      VulkanOptions vulkan = cpuDevice(traversal);
+    for (const std::string& traversal : traversals()) {
+      VulkanOptions vulkan = onTestDevice(traversal);
       vulkan.poisoned = true;
       EXPECT_EQ(differingFloats(image, render(scene, vulkan)), 0U) << traversal;
     }
-    VulkanOptions bands = cpuDevice();
+    VulkanOptions bands = onTestDevice();
     bands.poisoned = true;
     bands.samplesInFlight = std::uint64_t{150} * 20 * 8;
     EXPECT_EQ(differingFloats(image, render(scene, bands)), 0U);
@@ -130,7 +129,7 @@ TEST(SameBits, WholeFilmOrASmallVisibleRegionInBandsAndCrops) {
     adaptive.error = 0.02;
     adaptive.layers = {Layer::Samples};
     const Image counted = render(scene, whole, adaptive);
-    VulkanOptions once = cpuDevice();
+    VulkanOptions once = onTestDevice();
     once.poisoned = true;
     for (const VulkanOptions& vulkan : {once, bands})
       EXPECT_EQ(differingFloats(counted, render(scene, vulkan, adaptive)), 0U);
@@ -142,8 +141,8 @@ TEST(SameBits, AnyNumberOfSamplesSideBySide) {
   const Scene scene = smallScene("bunny-whitted.xml", 35, 85);
   const Image image = render(scene);
   expectSameByAll(image, scene);
-  for (const char* traversal : kTraversals) {
-    VulkanOptions few = cpuDevice(traversal);
+  for (const std::string& traversal : traversals()) {
+    VulkanOptions few = onTestDevice(traversal);
     few.samplesInFlight = std::uint64_t{64} * 35 * 8;  // eight samples a pass: tiles of 4
     EXPECT_EQ(differingFloats(image, render(scene, few)), 0U) << traversal;
   }

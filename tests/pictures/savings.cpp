@@ -71,7 +71,7 @@ TEST(WithoutALight, NoTreeIsUploadedAndThePictureIsBlack) {
   Scene scene = smallScene("cornell-two-lights.xml", 16, 1);
   scene.lights.clear();
   Stats stats;
-  const Image image = Renderer(cpuDevice()).render(scene, {}, stats).image;
+  const Image image = Renderer(onTestDevice()).render(scene, {}, stats).image;
   EXPECT_EQ(stats.triangles, 0U);
   EXPECT_EQ(stats.attributeBytes, 0U);
   for (const float value : image.pixels) EXPECT_EQ(value, 0.0F);
@@ -101,12 +101,12 @@ TEST(WithoutALight, LayersShowWhatEachShowsAlone) {
     if (textured) scene.meshes[1].bsdf.texture = Texture();
     RenderOptions options;
     options.layers = {Layer::Normals, Layer::Albedo, Layer::Id};
-    const Image all = render(scene, cpuDevice(), options);
+    const Image all = render(scene, onTestDevice(), options);
     std::size_t first = 3;
     for (const Layer layer : options.layers) {
       RenderOptions one;
       one.layers = {layer};
-      const Image alone = render(scene, cpuDevice(), one);
+      const Image alone = render(scene, onTestDevice(), one);
       float most = 0.0F;
       for (int y = 0; y < all.height; ++y)
         for (int x = 0; x < all.width; ++x)

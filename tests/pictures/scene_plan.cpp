@@ -46,7 +46,7 @@ TEST(ScenePlan, FiguresAreThoseOfTheRender) {
     options.crop = Crop{10, 20, 290, 150};
     const auto figures = planScene(scene, options, {}, cpuInfo()).figures;
     Stats stats;
-    Renderer(cpuDevice()).render(scene, options, stats);
+    Renderer(onTestDevice()).render(scene, options, stats);
     EXPECT_EQ(figures["bands"], stats.bands);
     EXPECT_EQ(figures["passesPerBand"].get<unsigned>() * stats.bands, stats.passes);
     EXPECT_EQ(figures["samplesPerPass"], stats.samplesPerPass);
@@ -123,11 +123,11 @@ TEST(ScenePlan, TellsOfSpheres) {
 
 TEST_F(CommandLine, PlanPrintsTextAndJsonAndWritesNothing) {
   write("test.xml", kFirstScene);
-  const Outcome text = laver("plan test.xml --device cpu --spp 7");
+  const Outcome text = laver("plan test.xml --device $device --spp 7");
   EXPECT_EQ(text.code, 0) << text.err;
   EXPECT_NE(text.out.find("sampler tables       2 of 3: 7 samples per pixel"), std::string::npos)
       << text.out;
-  const Outcome json = laver("plan test.xml --device cpu --json --size 40x30 --crop 3,4,13,24");
+  const Outcome json = laver("plan test.xml --device $device --json --size 40x30 --crop 3,4,13,24");
   ASSERT_EQ(json.code, 0) << json.err;
   const auto plan = nlohmann::json::parse(json.out);
   EXPECT_EQ(plan["figures"]["width"], 10);
@@ -140,9 +140,9 @@ TEST_F(CommandLine, PlanFailsAsRenderingDoes) {
   write("bad.xml", "<scene><camera type=\"perspectiv\"/></scene>");
   EXPECT_EQ(laver("plan").code, 2);
   EXPECT_EQ(laver("plan test.xml --size 12").code, 2);
-  EXPECT_EQ(laver("plan test.xml --crop 0,0,5000,2 --device cpu").code, 2);
-  EXPECT_EQ(laver("plan test.xml --error 0.1 --spp 3 --device cpu").code, 2);
-  EXPECT_EQ(laver("plan test.xml --traversal sideways --device cpu").code, 2);
+  EXPECT_EQ(laver("plan test.xml --crop 0,0,5000,2 --device $device").code, 2);
+  EXPECT_EQ(laver("plan test.xml --error 0.1 --spp 3 --device $device").code, 2);
+  EXPECT_EQ(laver("plan test.xml --traversal sideways --device $device").code, 2);
   EXPECT_EQ(laver("plan bad.xml").code, 3);
   EXPECT_EQ(laver("plan nowhere.xml").code, 3);
   EXPECT_EQ(laver("plan test.xml --device nonesuch").code, 4);

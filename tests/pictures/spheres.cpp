@@ -180,8 +180,8 @@ TEST(Spheres, AreNotExplainedNorTracedByChartedMethodsAndSaidSo) {
     }
     return ExitCode::Ok;
   };
-  EXPECT_EQ(codeOf([&] { laver::explain(scene, scene, cpuDevice()); }), ExitCode::Usage);
-  EXPECT_EQ(codeOf([&] { chart::chartMethods(scene, "cpu", 1, {}); }), ExitCode::Usage);
+  EXPECT_EQ(codeOf([&] { laver::explain(scene, scene, onTestDevice()); }), ExitCode::Usage);
+  EXPECT_EQ(codeOf([&] { chart::chartMethods(scene, testDevice(), 1, {}); }), ExitCode::Usage);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ struct Seen : Observer {
 
 TEST(Watcher, SeesEveryPassAndInTheEndThePicture) {
   const Scene scene = smallScene("cornell-two-lights.xml", 64, 32);
-  VulkanOptions vulkan = cpuDevice();
+  VulkanOptions vulkan = onTestDevice();
   vulkan.samplesInFlight = 10240;  // bands of some rows, eight samples a pass
   Stats stats;
   Seen seen;
@@ -49,11 +49,11 @@ TEST(Watcher, SeesTheFirstPictureOnlyAndACropFromItsTop) {
   options.layers = {Layer::Albedo, Layer::Depth};
   options.crop = Crop{10, 20, 40, 50};
   Stats stats;
-  Renderer(cpuDevice()).render(scene, options, stats);
+  Renderer(onTestDevice()).render(scene, options, stats);
   EXPECT_EQ(seen.calls, 1);
   RenderOptions alone;
   alone.crop = options.crop;
-  EXPECT_EQ(differingFloats(seen.picture, render(scene, cpuDevice(), alone)), 0U);
+  EXPECT_EQ(differingFloats(seen.picture, render(scene, onTestDevice(), alone)), 0U);
 }
 
 TEST(Watcher, SeesAReferenceRender) {
@@ -69,7 +69,7 @@ TEST(Watcher, SeesAReferenceRender) {
 
 TEST(Watcher, SeesWhatAStoppedRenderLeaves) {
   const Scene scene = smallScene("cornell-two-lights.xml", 64, 32);
-  VulkanOptions vulkan = cpuDevice();
+  VulkanOptions vulkan = onTestDevice();
   vulkan.samplesInFlight = 5120;
   Seen seen;
   RenderOptions options = seen.options();
@@ -90,7 +90,7 @@ TEST_F(CommandLine, AViewerGetsThePictureBitForBit) {
   write("a.obj", "v -1 -1 2\nv 1 -1 3\nv 0 1 5\nf 1 2 3\n");
   write("a.xml", kScene);
   for (const std::string how :
-       {"--device cpu", "--reference", "--device cpu --layers normals,id"}) {
+       {"--device $device", "--reference", "--device $device --layers normals,id"}) {
     const Listener listener;
     auto viewer = std::async(std::launch::async, [&] { return Viewer(listener.accept()); });
     const Outcome run =

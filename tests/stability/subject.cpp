@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <cstdlib>
 
 #include "core/parallel.h"
 #include "render/renderer.h"
@@ -74,11 +73,6 @@ class DeviceSubject : public Subject {
 };
 
 }  // namespace
-
-std::string testDevice() {
-  const char* wanted = std::getenv("LAVER_TEST_DEVICE");
-  return wanted != nullptr ? wanted : "cpu";
-}
 
 std::vector<std::unique_ptr<Subject>> subjects(const Bvh& bvh) {
   static const Instance instance(false);

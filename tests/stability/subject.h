@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "stability/twin/twin.h"
+#include "support/test_device.h"
 #include "trace/ray_tracer.h"
 
 namespace laver::test {
@@ -23,9 +24,6 @@ class Subject {
 
 /// All traversals of the test device and all twins. `bvh` must outlive them.
 std::vector<std::unique_ptr<Subject>> subjects(const Bvh& bvh);
-
-/// The device of the tests: LAVER_TEST_DEVICE as --device takes it, or the CPU.
-std::string testDevice();
 
 /// A ray without an end.
 inline TestRay rayOf(glm::vec3 origin, glm::vec3 direction) {

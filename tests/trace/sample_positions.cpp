@@ -76,7 +76,7 @@ class SamplePositions : public testing::TestWithParam<Film> {};
 TEST_P(SamplePositions, OfTheDeviceAreTheReferences) {
   const Film& film = GetParam();
   const Instance instance(false);
-  const Device device(choosePhysicalDevice(instance, "cpu"));
+  const Device device(choosePhysicalDevice(instance, testDevice()));
   Scene scene;
   scene.camera.width = film.width;
   scene.camera.height = film.height;

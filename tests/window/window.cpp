@@ -67,7 +67,7 @@ std::vector<std::string> cornell(std::vector<std::string> more) {
   std::vector<std::string> all = {(scenesFolder() / "cornell-two-lights.xml").string(),
                                   "--gui",
                                   "--device",
-                                  "cpu",
+                                  testDevice(),
                                   "--size",
                                   "96x64",
                                   "-q",
