@@ -38,9 +38,9 @@ TEST(Adaptive, SameBitsForThreadsBandsPassesTraversalsAndKernels) {
     cut.samplesInFlight = slots;
     expectSame(whole, renderTo(scene, adaptive(), cut));
   }
-  for (const char* traversal : kTraversals)
-    expectSame(whole, renderTo(scene, adaptive(), cpuDevice(traversal)));
-  VulkanOptions generic = cpuDevice();
+  for (const std::string& traversal : traversals())
+    expectSame(whole, renderTo(scene, adaptive(), onTestDevice(traversal)));
+  VulkanOptions generic = onTestDevice();
   generic.general = generalParts();
   expectSame(whole, renderTo(scene, adaptive(), generic));
 }

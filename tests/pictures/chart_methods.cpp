@@ -24,7 +24,7 @@ Scene sphereScene() {
   return scene;
 }
 
-Bvh ballTree() { return pack(ballScene(), {}, uploadsOf(ballScene(), {})).bvh; }
+Bvh sphereTree() { return pack(sphereScene(), {}, uploadsOf(sphereScene(), {})).bvh; }
 
 TEST(ChartMethods, QuantisedNodesHoldWhatTheyStandFor) {
   for (const Bvh& bvh : {sphereTree(), withTightBoxes(sphereTree())}) {
@@ -116,7 +116,7 @@ std::vector<MethodHit> hitsBy(const Bvh& bvh, std::span<const MethodRay> rays,
 }
 
 TEST(ChartMethods, OneWrongComparisonShowsAtEdges) {
-  const Packed data = pack(ballScene(), {}, uploadsOf(ballScene(), {}));
+  const Packed data = pack(sphereScene(), {}, uploadsOf(sphereScene(), {}));
   const glm::vec3 origin(data.params.origin);
   MethodJudge judge(data.bvh);
   std::vector<MethodRay> rays;
@@ -140,7 +140,7 @@ TEST(ChartMethods, OneWrongComparisonShowsAtEdges) {
 }
 
 TEST(ChartMethods, AWrongAnswerIsNotExcused) {
-  const Packed data = pack(ballScene(), {}, uploadsOf(ballScene(), {}));
+  const Packed data = pack(sphereScene(), {}, uploadsOf(sphereScene(), {}));
   MethodJudge judge(data.bvh);
   const std::vector<MethodRay> rays{
       {data.params.origin, 0.0F, -data.params.origin + glm::vec3(0.01F, 0.02F, 0.0F), 1e30F}};

@@ -30,7 +30,7 @@ TEST(DeepTree, KernelsAreCompiledAnewForItsStack) {
   const Image truth = Reference(scene).render().image;
   for (const std::string& traversal : traversals()) {
     Stats stats;
-    const Image image = Renderer(cpuDevice(traversal)).render(scene, {}, stats).image;
+    const Image image = Renderer(onTestDevice(traversal)).render(scene, {}, stats).image;
     EXPECT_GT(stats.stack, choicesOf(scene).pictures.front().key.stack);
     // All rays meet the smallest triangle at depth 5: nothing here is near an edge.
     for (std::size_t i = 0; i < truth.pixels.size(); ++i)

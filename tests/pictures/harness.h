@@ -92,15 +92,7 @@ inline Image render(const Scene& scene, const VulkanOptions& vulkan = onTestDevi
   return std::move(rendered.image);
 }
 
-inline const DeviceInfo& cpuInfo() {
-  static const DeviceInfo info = [] {
-    const Instance instance(false);
-    return deviceInfo(choosePhysicalDevice(instance, cpuDevice().device));
-  }();
-  return info;
-}
-
-inline Choices choicesOf(const Scene& scene) { return choose(scene, {}, {}, cpuInfo()); }
+inline Choices choicesOf(const Scene& scene) { return choose(scene, {}, {}, testDeviceInfo()); }
 
 /// Ends a render after some passes.
 class StopAfter : public Observer {

@@ -180,8 +180,8 @@ TEST(Layers, AreTheSameHoweverTheyAreMade) {
   VulkanOptions pieces = onTestDevice(), generic = onTestDevice();
   pieces.samplesInFlight = std::uint64_t{131} * 7 * 5;
   generic.general = generalParts();
-  for (const char* traversal : kTraversals)
-    EXPECT_EQ(differingFloats(whole, render(scene, cpuDevice(traversal), options)), 0U)
+  for (const std::string& traversal : traversals())
+    EXPECT_EQ(differingFloats(whole, render(scene, onTestDevice(traversal), options)), 0U)
         << traversal;
   EXPECT_EQ(differingFloats(whole, render(scene, pieces, options)), 0U);
   EXPECT_EQ(differingFloats(whole, render(scene, generic, options)), 0U);

@@ -78,7 +78,7 @@ TEST_F(Resume, SobolGoesOnBeyondTheCountItWasBegunWith) {
 }
 
 TEST_F(Resume, IsTheSameInOneBand) {
-  Renderer pieces(inPieces("packet")), one(cpuDevice());
+  Renderer pieces(inPieces("packet")), one(onTestDevice());
   const Scene scene = sceneOf(&samplers::sobol, 24);
   Stats stats;
   const Image whole = one.render(scene, {}, stats).image;

@@ -63,7 +63,7 @@ TEST(SameBits, ACropIsCutOutOfTheFullPicture) {
 }
 
 TEST(SameBits, KernelsSpecialisedToTheSceneOrNot) {
-  VulkanOptions generic = cpuDevice();
+  VulkanOptions generic = onTestDevice();
   generic.general = generalParts();
   for (const char* name :
        {"bunny-normals.xml", "bunny-whitted.xml", "bunny-depth.xml", "cornell-two-lights.xml",

@@ -47,9 +47,9 @@ TEST_P(General, APartThatASceneDoesNotNeedChangesNoBit) {
         general.gather == needed.gather && general.uploads.indexBytes == needed.uploads.indexBytes)
       continue;
     // One scene by all traversals.
-    for (const char* traversal : kTraversals) {
+    for (const std::string& traversal : traversals()) {
       if (changed && traversal != std::string("packet32")) continue;
-      VulkanOptions vulkan = cpuDevice(traversal);
+      VulkanOptions vulkan = onTestDevice(traversal);
       const Image image = render(scene, vulkan);
       vulkan.general = {part};
       EXPECT_EQ(differingFloats(image, render(scene, vulkan)), 0U)

@@ -28,7 +28,7 @@ TEST(ScenePlan, BytesAreThoseThatAGenericRenderUploadsMore) {
   for (const char* name : {"bunny-depth.xml", "bunny-whitted.xml", "cornell-two-lights.xml",
                            "curved-normals.xml", "mirrored-instances.xml"}) {
     const Scene scene = smallScene(name, 16, 1);
-    const ScenePlan plan = planScene(scene, {}, {}, cpuInfo());
+    const ScenePlan plan = planScene(scene, {}, {}, testDeviceInfo());
     const auto expect = [&](const char* what, const char* part) {
       EXPECT_EQ(line(plan, what).bytesNotUploaded, bytesSaved(scene, part)) << name << ' ' << what;
     };
@@ -44,7 +44,7 @@ TEST(ScenePlan, FiguresAreThoseOfTheRender) {
     const Scene scene = smallScene(name, 300, 37);
     RenderOptions options;
     options.crop = Crop{10, 20, 290, 150};
-    const auto figures = planScene(scene, options, {}, cpuInfo()).figures;
+    const auto figures = planScene(scene, options, {}, testDeviceInfo()).figures;
     Stats stats;
     Renderer(onTestDevice()).render(scene, options, stats);
     EXPECT_EQ(figures["bands"], stats.bands);
@@ -64,24 +64,24 @@ TEST(ScenePlan, TellsTheTraversalThatTheRenderTakes) {
   for (const int width : {16, 768}) {
     scene.camera.width = scene.camera.height = width;
     Stats stats;
-    Renderer(cpuDevice()).render(scene, {}, stats);
-    EXPECT_EQ(planScene(scene, {}, {}, cpuInfo()).traversal, stats.traversal) << width;
+    Renderer(onTestDevice()).render(scene, {}, stats);
+    EXPECT_EQ(planScene(scene, {}, {}, testDeviceInfo()).traversal, stats.traversal) << width;
   }
-  EXPECT_EQ(planScene(scene, {}, cpuDevice("lane"), cpuInfo()).traversal, "lane");
+  EXPECT_EQ(planScene(scene, {}, onTestDevice("lane"), testDeviceInfo()).traversal, "lane");
 }
 
 TEST(ScenePlan, TellsWhatSamplerAdaptionAndDensityDecide) {
   Scene scene = smallScene("bunny-normals.xml", 200, 85);  // 1.7 triangles to a pixel
-  ScenePlan plan = planScene(scene, {}, {}, cpuInfo());
+  ScenePlan plan = planScene(scene, {}, {}, testDeviceInfo());
   EXPECT_EQ(line(plan, "sampler").choice, "independent");
   EXPECT_EQ(line(plan, "adaptive").choice, "off");
   EXPECT_EQ(line(plan, "side by side").choice, "64 samples of a pixel");
   scene.camera.width = scene.camera.height = 300;
-  EXPECT_EQ(planScene(scene, {}, {}, cpuInfo()).figures["samplesSideBySide"], 16);
+  EXPECT_EQ(planScene(scene, {}, {}, testDeviceInfo()).figures["samplesSideBySide"], 16);
   scene.sampler.row = &samplers::sobol;
   RenderOptions options;
   options.error = 0.01;
-  plan = planScene(scene, options, {}, cpuInfo());
+  plan = planScene(scene, options, {}, testDeviceInfo());
   EXPECT_EQ(line(plan, "sampler").choice, "sobol");
   EXPECT_EQ(line(plan, "sampler tables").choice, "none");
   EXPECT_EQ(line(plan, "adaptive").choice, "1 to 84 samples per pixel");
@@ -92,18 +92,18 @@ TEST(ScenePlan, TellsOfTexturesBackgroundAndLayers) {
   scene.integrator = {&integrators::directWhitted};
   scene.lights.clear();
   scene.meshes[0].bsdf.texture = Texture();
-  ScenePlan plan = planScene(scene, {}, {}, cpuInfo());
+  ScenePlan plan = planScene(scene, {}, {}, testDeviceInfo());
   EXPECT_EQ(line(plan, "camera rays").choice, "none traced");
   EXPECT_EQ(line(plan, "textures").choice, "left out");
   EXPECT_EQ(line(plan, "background").choice, "black");
   scene.environment = Environment();
-  plan = planScene(scene, {}, {}, cpuInfo());
+  plan = planScene(scene, {}, {}, testDeviceInfo());
   EXPECT_EQ(line(plan, "camera rays").why, "what they miss shows");
   EXPECT_EQ(line(plan, "background").choice, "one radiance");
   EXPECT_EQ(line(plan, "vertex normals").choice, "left out");
   RenderOptions options;
   options.layers = {Layer::Albedo, Layer::Normals};
-  plan = planScene(scene, options, {}, cpuInfo());
+  plan = planScene(scene, options, {}, testDeviceInfo());
   EXPECT_EQ(plan.figures["pictures"], 3);
   EXPECT_EQ(line(plan, "camera rays").why, "what they hit shows");
   EXPECT_EQ(line(plan, "textures").choice, "checker");
@@ -113,11 +113,11 @@ TEST(ScenePlan, TellsOfTexturesBackgroundAndLayers) {
 
 TEST(ScenePlan, TellsOfSpheres) {
   const Scene scene = smallScene("spheres.xml", 16, 1);
-  const ScenePlan plan = planScene(scene, {}, {}, cpuInfo());
+  const ScenePlan plan = planScene(scene, {}, {}, testDeviceInfo());
   EXPECT_EQ(line(plan, "spheres").choice, "5 spheres");
   EXPECT_EQ(plan.figures["triangles"], 1157U);
   EXPECT_EQ(
-      line(planScene(smallScene("bunny-depth.xml", 16, 1), {}, {}, cpuInfo()), "spheres").choice,
+      line(planScene(smallScene("bunny-depth.xml", 16, 1), {}, {}, testDeviceInfo()), "spheres").choice,
       "left out");
 }
 

@@ -46,7 +46,7 @@ constexpr const IntegratorRow* kAll[] = {&integrators::directWhitted, &integrato
                                          &integrators::ambientOcclusion};
 
 void expectMatch(const Scene& scene, bool alsoGeneric = false) {
-  VulkanOptions generic = cpuDevice();
+  VulkanOptions generic = onTestDevice();
   generic.general = {"stack"};
   const Image image = render(scene);
   expectSameByAll(image, scene);

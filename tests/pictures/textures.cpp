@@ -115,7 +115,7 @@ TEST(Textures, ManyLightsAddTheBackgroundOnce) {
 }
 
 TEST(Textures, KernelsSpecialisedOrNotGiveTheSameBits) {
-  VulkanOptions generic = cpuDevice();
+  VulkanOptions generic = onTestDevice();
   generic.general = generalParts();
   for (const bool floats : {false, true}) {
     Scene scene = sheet(showing(noise(8, 8, floats)));
@@ -195,17 +195,17 @@ TEST(Backgrounds, EverySampleOfTexturesAndBackgroundIsExplained) {
   Scene scene = sheet(showing(noise(64, 64, false)));
   scene.environment = Environment();
   scene.environment->image = noise(64, 32, true);
-  const laver::Explanation whole = laver::explain(scene, scene, cpuDevice());
+  const laver::Explanation whole = laver::explain(scene, scene, onTestDevice());
   EXPECT_EQ(whole.unexplained(), 0U) << describe(whole);
   // It must be able to fail: a tenth of a pixel's shift, and a sky turned by as much.
   Scene shifted = scene;
   shifted.meshes[0].bsdf.texture->offset.x += 0.1 / 64;
-  EXPECT_GT(laver::explain(scene, shifted, cpuDevice()).unexplained(), 100U);
+  EXPECT_GT(laver::explain(scene, shifted, onTestDevice()).unexplained(), 100U);
   shifted = scene;
   const double a = 0.01;
   shifted.environment->toWorld = glm::dmat4(std::cos(a), 0, -std::sin(a), 0, 0, 1, 0, 0,
                                             std::sin(a), 0, std::cos(a), 0, 0, 0, 0, 1);
-  EXPECT_GT(laver::explain(scene, shifted, cpuDevice()).unexplained(), 100U);
+  EXPECT_GT(laver::explain(scene, shifted, onTestDevice()).unexplained(), 100U);
 }
 
 TEST(TextureData, PicturesArePackedOnceAndBytesStayBytes) {

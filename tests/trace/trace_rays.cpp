@@ -42,7 +42,7 @@ class TraceRays : public testing::Test {
   }
 
   Instance instance_{false};
-  Device device_{choosePhysicalDevice(instance_, "cpu")};
+  Device device_{choosePhysicalDevice(instance_, testDevice())};
   Packed scene_ = pack(closedBumpySphere(), {}, uploadsOf(closedBumpySphere(), {}));
   RayTracer lane_{device_, scene_.bvh, "lane"};
   std::mt19937 engine_{17};
