@@ -17,6 +17,7 @@
 #include "render/renderer.h"
 #include "render/traversal.h"
 #include "scene/scene.h"
+#include "support/test_device.h"
 #include "vulkan/device.h"
 
 namespace laver::test {
@@ -43,7 +44,7 @@ inline const DeviceInfo& testDeviceInfo() {
 
 /// Those that the test device can run.
 inline std::vector<std::string> traversals() {
-  if (bestTraversal(testDeviceInfo()) == "packet") return {"lane", "packet32", "packet64"};
+  if (runsPackets(testDeviceInfo())) return {"lane", "packet32", "packet64"};
   return {"lane"};
 }
 
