@@ -1,5 +1,6 @@
 #include "scene/numbers.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>

@@ -1,6 +1,7 @@
 // What adaptive sampling leaves of error: no bias, what was asked for, less than as many samples
 // for all.
 #include <cmath>
+#include <numbers>
 
 #include "pictures/adaptive.h"
 

@@ -2,6 +2,7 @@
 #include "pictures/command_line.h"
 
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "image/io.h"
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
 
 #include "lab/chart/methods/quantise.h"
 #include "stability/exact.h"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 
 #include "core/parallel.h"
 #include "stability/meshes.h"

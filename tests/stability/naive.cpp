@@ -1,6 +1,7 @@
 #include "stability/naive.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "bvh/walk.h"
 

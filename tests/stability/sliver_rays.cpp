@@ -1,5 +1,8 @@
 #include "stability/sliver_rays.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <numbers>
 #include <tuple>
 

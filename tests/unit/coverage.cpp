@@ -1,6 +1,7 @@
 // Where the film can see the scene.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "render/scene_coverage.h"

@@ -1,5 +1,6 @@
 #include "show/display_server.h"
 
+#include <algorithm>
 #include <future>
 #include <limits>
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <pugixml.hpp>
 #include <set>
+#include <sstream>
 
 #include "scene/schema_text.h"
 #include "support/scene_files.h"
