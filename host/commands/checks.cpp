@@ -5,7 +5,7 @@
 
 #include <iostream>
 
-#include "image/atomic_file.h"
+#include "core/atomic_file.h"
 
 namespace laver {
 namespace {

@@ -18,7 +18,7 @@
 #include "commands/progress.h"
 #include "commands/resume.h"
 #include "commands/standard_output.h"
-#include "image/atomic_file.h"
+#include "core/atomic_file.h"
 #include "image/io.h"
 #include "reference/reference.h"
 #include "show/display_server.h"

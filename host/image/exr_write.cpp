@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <vector>
 
+#include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/parallel.h"
-#include "image/atomic_file.h"
 #include "image/exr_zip.h"
 #include "image/image_defect.h"
 #include "image/io.h"

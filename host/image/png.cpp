@@ -11,8 +11,8 @@
 #include <new>
 #include <vector>
 
+#include "core/atomic_file.h"
 #include "core/error.h"
-#include "image/atomic_file.h"
 #include "image/image_defect.h"
 #include "image/io.h"
 #include "image/srgb.h"

@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/atomic_file.h"
 #include "core/error.h"
-#include "image/atomic_file.h"
 
 namespace laver {
 namespace {

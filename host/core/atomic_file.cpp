@@ -1,21 +1,26 @@
-#include "image/atomic_file.h"
+#include "core/atomic_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "core/error.h"
-#include "image/temporary_file.h"
 
 namespace laver {
 namespace {
+
+namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const std::string& file, const std::string& reason) {
   throw Error(ExitCode::Output, fmt::format("cannot write \"{}\": {}", file, reason));
@@ -26,14 +31,13 @@ std::string folderOf(const std::string& file) {
   return slash == std::string::npos ? "./" : file.substr(0, slash + 1);
 }
 
-/// What `file` names in the end, which need not exist.
+/// The path that `file` leads to through symbolic links; it need not exist.
 std::string followLinks(const std::string& file) {
-  namespace fs = std::filesystem;
-  constexpr int kMostLinks = 40;  // as Linux
+  constexpr int kMaxLinks = 40;  // as Linux
   std::error_code error;
   fs::path path = file;
   for (int links = 0; fs::is_symlink(fs::symlink_status(path, error)); ++links) {
-    if (links == kMostLinks) refuse(file, std::generic_category().message(ELOOP));
+    if (links == kMaxLinks) refuse(file, std::generic_category().message(ELOOP));
     const fs::path next = fs::read_symlink(path, error);
     if (error) refuse(file, error.message());
     path = path.parent_path() / next;  // `next` alone if it is absolute
@@ -49,6 +53,57 @@ mode_t replaceableMode(const std::string& file, const std::string& target) {
   if (!S_ISREG(status.st_mode)) refuse(file, "Is not a regular file");
   if (access(target.c_str(), W_OK) != 0) refuse(file, std::generic_category().message(errno));
   return status.st_mode & 07777;
+}
+
+constexpr std::string_view kPrefix = ".laver-", kSuffix = ".tmp";
+
+bool isTemporaryName(std::string_view name) {
+  if (name.size() <= kPrefix.size() + kSuffix.size() || !name.starts_with(kPrefix) ||
+      !name.ends_with(kSuffix))
+    return false;
+  name = name.substr(kPrefix.size(), name.size() - kPrefix.size() - kSuffix.size());
+  return std::count(name.begin(), name.end(), '-') == 1 && name.front() != '-' &&
+         name.back() != '-' && name.find_first_not_of("0123456789-") == std::string_view::npos;
+}
+
+void removeIfAbandoned(const char* file) {
+  const int descriptor = open(file, O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0) return;
+  struct stat status {};
+  if (fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) &&
+      flock(descriptor, LOCK_EX | LOCK_NB) == 0)
+    unlink(file);
+  close(descriptor);
+}
+
+/// Makes a new file in `folder` (empty: the working folder), open for writing and locked as long as
+/// it is open; `name` becomes its path. Returns its descriptor, or -1 with errno set.
+int openTemporary(const std::string& folder, std::string& name) {
+  static std::atomic<unsigned> counter{0};
+  for (;;) {
+    name = fmt::format("{}.laver-{}-{}.tmp", folder, getpid(), counter++);
+    const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor < 0 && errno == EEXIST) continue;
+    if (descriptor < 0) return -1;
+    // Where there are no locks nobody can take the file for abandoned. Otherwise somebody may have
+    // done so before it was locked.
+    const bool locked = flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+    if (locked && access(name.c_str(), F_OK) == 0) return descriptor;
+    close(descriptor);
+  }
+}
+
+/// Removes from `folder` the temporary files that no process has open any more: theirs was killed.
+/// The lock tells, not the process number in the name, which means nothing to another machine or
+/// container that shares the folder. Files that cannot be locked stay.
+void removeAbandoned(const std::string& folder) {
+  std::error_code error;
+  fs::directory_iterator entry(folder.empty() ? "." : folder, error);
+  while (!error && entry != fs::directory_iterator()) {
+    if (isTemporaryName(entry->path().filename().native()))
+      removeIfAbandoned(entry->path().c_str());
+    entry.increment(error);
+  }
 }
 
 }  // namespace

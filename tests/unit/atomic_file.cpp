@@ -1,3 +1,5 @@
+#include "core/atomic_file.h"
+
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -7,7 +9,6 @@
 #include <fstream>
 #include <string>
 
-#include "image/atomic_file.h"
 #include "image/io.h"
 #include "support/expect_error.h"
 #include "support/temporary_folder.h"
