@@ -6,8 +6,6 @@
 
 #include "commands/commands.h"
 #include "commands/standard_output.h"
-#include "image/compare_report.h"
-#include "image/difference.h"
 #include "image/false_colour.h"
 #include "image/io.h"
 #include "lab/explain/explain.h"

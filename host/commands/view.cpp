@@ -1,5 +1,5 @@
 #include "commands/commands.h"
-#include "image/image_defect.h"
+#include "image/image.h"
 #include "image/io.h"
 #include "show/view_layers.h"
 #include "show/window.h"

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "core/error.h"
 #include "core/numeric.h"
@@ -51,6 +53,53 @@ std::vector<ChannelDifference> compare(const Image& a, const Image& b, double to
     result.push_back(sum);
   }
   return result;
+}
+
+std::string describe(const std::vector<ChannelDifference>& differences, double tolerance) {
+  using Row = std::array<std::string, 6>;
+  std::vector<Row> rows = {{"channel", "RMSE", "relative MSE", "maximum", "99.9th percentile",
+                            fmt::format("beyond {:g}", tolerance)}};
+  for (const ChannelDifference& d : differences) {
+    rows.push_back({d.channel, fmt::format("{:.4g}", d.rmse), fmt::format("{:.4g}", d.relativeMse),
+                    fmt::format("{:.4g}", d.maximum), fmt::format("{:.4g}", d.percentile999),
+                    fmt::format("{:.4g} %", 100.0 * d.share)});
+  }
+  std::array<std::size_t, 6> widths{};
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  }
+  std::string table;
+  for (const Row& row : rows) {
+    table += fmt::format("{:<{}}", row[0], widths[0]);
+    for (std::size_t i = 1; i < row.size(); ++i) {
+      table += fmt::format("  {:>{}}", row[i], widths[i]);
+    }
+    table += '\n';
+  }
+  return table;
+}
+
+double distance(double a, double b) {
+  if (std::isfinite(a) && std::isfinite(b)) return std::abs(a - b);
+  const bool alike = a == b || (std::isnan(a) && std::isnan(b));
+  return alike ? 0.0 : std::numeric_limits<double>::infinity();
+}
+
+Image difference(const Image& a, const Image& b) {
+  Image result = a;
+  forPairs(a, b, [&](std::size_t i, double x, double y) {
+    result.pixels[i] = distance(x, y) == 0.0 ? 0.0F : static_cast<float>(x - y);
+  });
+  return result;
+}
+
+std::vector<double> largestDistances(const Image& a, const Image& b) {
+  std::vector<double> largest(a.pixels.size() / std::max<std::size_t>(a.channels.size(), 1));
+  forPairs(a, b, [&](std::size_t i, double x, double y) {
+    double& value = largest[i / a.channels.size()];
+    value = std::max(value, distance(x, y));
+  });
+  return largest;
 }
 
 }  // namespace laver

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,22 @@ struct ChannelDifference {
 };
 
 /// Compares a with the reference b, channel by channel. Throws Error(Usage) if sizes or channel
-/// names differ. NaN equals NaN and an infinity its like; otherwise they differ infinitely.
+/// names differ. Values that are
+/// not finite differ as distance() says.
 std::vector<ChannelDifference> compare(const Image& a, const Image& b, double tolerance);
+
+/// An aligned table: a line of headings, then one line per channel, each ended by a newline.
+/// `tolerance` is that of compare(); the share beyond it is printed in percent.
+std::string describe(const std::vector<ChannelDifference>& differences, double tolerance);
+
+/// |a - b|. Of values that are not finite: 0 if they are alike (NaN and NaN, infinities of one
+/// sign), else infinite.
+double distance(double a, double b);
+
+/// a - b with a's channels; 0 where distance() is 0. Throws as compare().
+Image difference(const Image& a, const Image& b);
+
+/// The largest distance over the channels, per pixel. Throws as compare().
+std::vector<double> largestDistances(const Image& a, const Image& b);
 
 }  // namespace laver

@@ -1,9 +1,11 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfInputPart.h>
 #include <OpenEXR/ImfMultiPartInputFile.h>
 #include <OpenEXR/ImfPartType.h>
+#include <OpenEXR/ImfStringAttribute.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -86,6 +88,21 @@ Image readExr(const std::string& file) {
     }
   }
   throw Error(ExitCode::Usage, fmt::format("cannot read \"{}\": {}", file, reason));
+}
+
+std::map<std::string, std::string> readExrTexts(const std::string& file) {
+  try {
+    const Imf::InputFile input(file.c_str());
+    const Imf::Header& header = input.header();
+    std::map<std::string, std::string> texts;
+    for (auto attribute = header.begin(); attribute != header.end(); ++attribute) {
+      const auto* text = dynamic_cast<const Imf::StringAttribute*>(&attribute.attribute());
+      if (text != nullptr) texts[attribute.name()] = text->value();
+    }
+    return texts;
+  } catch (const std::exception&) {
+    throw Error(ExitCode::Usage, fmt::format("cannot read \"{}\": it is no EXR file", file));
+  }
 }
 
 }  // namespace laver

@@ -1,6 +1,9 @@
 #include "image/image.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace laver {
@@ -38,6 +41,21 @@ Image joined(std::vector<Image> parts) {
     part.pixels = {};
   }
   return all;
+}
+
+std::string imageDefect(const Image& image) {
+  if (image.width <= 0 || image.height <= 0) {
+    return fmt::format("its size is {} x {} pixels", image.width, image.height);
+  }
+  if (image.channels.empty()) return "it has no channels";
+  std::set<std::string> seen;
+  for (const std::string& name : image.channels) {
+    if (!seen.insert(name).second) return fmt::format("channel \"{}\" occurs twice", name);
+  }
+  const std::size_t expected = static_cast<std::size_t>(image.width) *
+                               static_cast<std::size_t>(image.height) * image.channels.size();
+  if (image.pixels.size() == expected) return {};
+  return fmt::format("it holds {} numbers, not {}", image.pixels.size(), expected);
 }
 
 }  // namespace laver

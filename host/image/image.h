@@ -30,4 +30,8 @@ Image blackImage(int width, int height, std::vector<std::string> channels);
 /// One picture with the channels of all, which have the same size.
 Image joined(std::vector<Image> parts);
 
+/// Why `image` is not a picture: no pixels, no channels, a name twice, or sizes that disagree.
+/// Empty when it is one.
+std::string imageDefect(const Image& image);
+
 }  // namespace laver

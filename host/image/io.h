@@ -13,9 +13,8 @@ namespace laver {
 /// Attributes of an EXR file by name; matrices are glm's column-vector convention.
 using Metadata = std::map<std::string, std::variant<std::string, double, int, glm::dmat4>>;
 
-/// Writes 32-bit float channels, ZIP-compressed on `threads` threads (0: all). The file is written
-/// beside its place and renamed, so that `file` is the old or the new picture, never half of one.
-/// Throws Error(Output).
+/// Writes 32-bit float channels, ZIP-compressed on `threads` threads (0: all). The file is replaced
+/// atomically, as AtomicFile does. Throws Error(Output).
 void writeExr(const std::string& file, const Image& image, const Metadata& metadata = {},
               unsigned threads = 0);
 
@@ -24,10 +23,11 @@ void writeExr(const std::string& file, const Image& image, const Metadata& metad
 /// Throws Error(Usage) if it cannot be read, and for deep data and several parts.
 Image readExr(const std::string& file);
 
-/// The attributes of an EXR file that are texts, by name. Throws Error(Usage) if it is none.
+/// The string attributes of an EXR file, by name. Throws Error(Usage) if it is no EXR file.
 std::map<std::string, std::string> readExrTexts(const std::string& file);
 
-/// Writes R, G, B as 8-bit sRGB, clamped and rounded to nearest; replaced as writeExr does.
+/// Writes R, G, B as 8-bit sRGB, clamped and rounded to nearest; the file is replaced
+/// atomically.
 void writePng(const std::string& file, const Image& image);
 void writePng(const std::string& file, const Bitmap& bitmap);
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "image/difference.h"
+#include "image/compare.h"
 #include "image/false_colour.h"
 #include "image/srgb.h"
 

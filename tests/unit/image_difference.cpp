@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "image/difference.h"
+#include "image/compare.h"
 #include "image/false_colour.h"
 #include "support/expect_error.h"
 #include "unit/images.h"

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/error.h"
-#include "image/difference.h"
+#include "image/compare.h"
 #include "image/false_colour.h"
 #include "image/srgb.h"
 #include "show/compose.h"

@@ -4,7 +4,7 @@
 #include <functional>
 #include <set>
 
-#include "image/difference.h"
+#include "image/compare.h"
 #include "image/false_colour.h"
 #include "image/io.h"
 #include "image/srgb.h"
