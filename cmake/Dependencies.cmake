@@ -14,11 +14,14 @@ pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo)  # charts
 find_path(LAVER_VOLK_INCLUDE volk.h REQUIRED)
 find_path(LAVER_DEFLATE_INCLUDE libdeflate.h REQUIRED)
 find_library(LAVER_DEFLATE deflate REQUIRED)
+find_path(LAVER_XXHASH_INCLUDE xxhash.h REQUIRED)
+find_library(LAVER_XXHASH xxhash REQUIRED)
 find_path(LAVER_TINYOBJ_INCLUDE tiny_obj_loader.h REQUIRED)
 
 add_library(laver_dependencies INTERFACE)
 target_include_directories(laver_dependencies SYSTEM INTERFACE
-  ${LAVER_VOLK_INCLUDE} ${LAVER_DEFLATE_INCLUDE} ${LAVER_TINYOBJ_INCLUDE} ${Vulkan_INCLUDE_DIRS})
+  ${LAVER_VOLK_INCLUDE} ${LAVER_DEFLATE_INCLUDE} ${LAVER_XXHASH_INCLUDE} ${LAVER_TINYOBJ_INCLUDE}
+  ${Vulkan_INCLUDE_DIRS})
 target_link_libraries(laver_dependencies INTERFACE
   Threads::Threads glm::glm pugixml::pugixml OpenEXR::OpenEXR OpenEXR::OpenEXRCore
   ${LAVER_DEFLATE} PNG::PNG JPEG::JPEG CLI11::CLI11 fmt::fmt

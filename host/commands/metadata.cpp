@@ -4,23 +4,20 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <numbers>
+#include <optional>
+
+#include "core/hash.h"
 
 namespace laver {
 namespace {
 
-/// FNV-1a, 64 bits, of a file's bytes. A pipe has been read and has them no more.
+/// A pipe has been read and holds its bytes no more.
 std::string fileHash(const std::string& file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return "none: not a regular file";
-  std::ifstream in(file, std::ios::binary);
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for (char c; in.get(c);) {
-    hash ^= static_cast<unsigned char>(c);
-    hash *= 0x100000001b3ULL;
-  }
-  return fmt::format("fnv1a64:{:016x}", hash);
+  const std::optional<std::string> hash = hashOfFile(file);
+  return hash ? "xxh3:" + *hash : "none: not readable";
 }
 
 }  // namespace

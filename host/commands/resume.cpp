@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "core/error.h"
-#include "core/fnv1a.h"
+#include "core/hash.h"
 #include "image/io.h"
 
 namespace laver {
@@ -55,7 +55,7 @@ std::map<std::string, std::string> texts(const FilmState& state) {
 /// Of the sums and of all that describes them. Chunks that do not shrink lie in an EXR file bare,
 /// without a checksum of their own.
 std::string hashOf(const FilmState& state) {
-  Fnv1a hash;
+  Hash hash;
   for (const auto& [name, value] : texts(state)) {
     hash.add(name);
     hash.add(value);

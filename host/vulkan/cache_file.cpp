@@ -11,6 +11,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/hash.h"
 
 namespace laver {
 namespace {
@@ -27,13 +28,6 @@ static_assert(sizeof(Preface) == 24);
 
 /// Larger caches are begun anew.
 constexpr std::uint64_t kMostBytes = std::uint64_t{64} << 20;
-
-/// FNV-1a with 64 bits (Fowler, Noll, Vo).
-std::uint64_t checksum(std::span<const std::byte> data) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for (const std::byte b : data) hash = (hash ^ static_cast<std::uint64_t>(b)) * 0x100000001b3ULL;
-  return hash;
-}
 
 std::string absolute(const char* variable) {
   const char* value = std::getenv(variable);
@@ -80,7 +74,7 @@ std::vector<std::byte> CacheFile::read() const {
     return {};
   std::vector<std::byte> data(preface.size);
   if (!file.read(reinterpret_cast<char*>(data.data()), static_cast<std::streamsize>(data.size())) ||
-      checksum(data) != preface.checksum || !isOf(device_, data))
+      hashOf(data) != preface.checksum || !isOf(device_, data))
     return {};
   return data;
 }
@@ -95,7 +89,7 @@ void CacheFile::write(std::span<const std::byte> data) const {
   static_cast<void>(::mkdir(folder.c_str(), 0700));  // may be there
   Preface preface;
   preface.size = data.size();
-  preface.checksum = checksum(data);
+  preface.checksum = hashOf(data);
   try {
     AtomicFile file(path_);
     file.write(std::as_bytes(std::span(&preface, 1)));

@@ -1,0 +1,34 @@
+// XXH3 as the project uses it.
+#include "core/hash.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "unit/scene_files.h"
+
+namespace {
+using namespace laver;
+
+std::string hashOfParts(const std::vector<std::string>& parts) {
+  Hash hash;
+  for (const std::string& part : parts) hash.add(part);
+  return hash.text();
+}
+
+TEST(Hash, DependsOnEveryByteAndOnHowTheyAreDivided) {
+  EXPECT_EQ(hashOfParts({"ab", "c"}), hashOfParts({"ab", "c"}));
+  EXPECT_NE(hashOfParts({"ab", "c"}), hashOfParts({"a", "bc"}));
+  EXPECT_NE(hashOfParts({"ab", "c"}), hashOfParts({"ab", "d"}));
+  EXPECT_NE(hashOfParts({"ab"}), hashOfParts({"ab", ""}));
+}
+
+TEST(Hash, OfAFileIsXxh3OfItsBytes) {
+  const scene_test::Files files;
+  EXPECT_EQ(hashOfFile(files.write("empty", "")), "2d06800538d394c2");  // as the specification says
+  const std::string text(200000, 'x');
+  EXPECT_EQ(hashOfFile(files.write("long", text)),
+            fmt::format("{:016x}", hashOf(std::as_bytes(std::span(text)))));
+  EXPECT_FALSE(hashOfFile(files.path("none")));
+}
+
+}  // namespace
