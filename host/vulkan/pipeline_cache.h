@@ -1,11 +1,41 @@
 #pragma once
-#include "vulkan/cache_file.h"
+#include <volk.h>
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
 #include "vulkan/handle.h"
 
 namespace laver {
 
+/// The folder for files that may be lost: $XDG_CACHE_HOME/laver, ~/.cache/laver, or empty where
+/// neither variable holds an absolute path.
+std::string cacheFolder();
+
+/// A file that keeps a driver's pipeline cache from run to run. It may be lost, so nothing here
+/// fails: a file that is damaged, of another driver or out of reach counts as none.
+class CacheFile {
+ public:
+  /// One file per device and version of its driver. No folder: no file.
+  CacheFile(const std::string& folder, const VkPhysicalDeviceProperties& device);
+
+  const std::string& path() const { return path_; }
+
+  /// The data of write(), if complete and of this device by their header; else empty.
+  std::vector<std::byte> read() const;
+  /// Replaces the file, and makes its folder. Data that hold no pipelines are not written.
+  void write(std::span<const std::byte> data) const;
+
+ private:
+  VkPhysicalDeviceProperties device_;
+  std::string path_;
+};
+
 /// The driver's compiled kernels, kept in a file from run to run. Several threads may compile with
-/// it. lavapipe keeps none of them here and has a cache of its own.
+/// it. Mesa's drivers have a cache of their own on disk, and lavapipe gives no data for this one.
+/// NVIDIA's driver has one too, but by its README it is off for root, and so in many containers.
 class PipelineCache {
  public:
   PipelineCache(VkPhysicalDevice physical, VkDevice device);

@@ -1,4 +1,4 @@
-#include "vulkan/cache_file.h"
+#include "vulkan/pipeline_cache.h"
 
 #include <gtest/gtest.h>
 
