@@ -33,9 +33,18 @@ std::optional<Reference::Hit> Reference::closest(glm::dvec2 film) const {
   const reference::CameraRay camera = impl_->view.through(film);
   const auto hit = impl_->world.closest(camera.ray, camera.tmin, camera.tmax);
   if (!hit) return {};
-  if (!hit->triangle) return Hit{hit->id(), hit->t, 0.0, 0.0};
-  const reference::Weights weights = hit->triangle->triangle->asGiven(hit->triangle->weights);
-  return Hit{hit->id(), hit->t, weights[1], weights[2]};
+  Hit result{hit->id(),
+             hit->t,
+             0.0,
+             0.0,
+             hit->t * glm::length(camera.ray.direction),
+             camera.ray.origin + hit->t * camera.ray.direction + impl_->world.centre()};
+  if (hit->triangle) {
+    const reference::Weights weights = hit->triangle->triangle->asGiven(hit->triangle->weights);
+    result.u = weights[1];
+    result.v = weights[2];
+  }
+  return result;
 }
 
 bool Reference::decided(glm::dvec2 film, double delta, double tolerance, glm::dvec2 numbers) const {

@@ -21,6 +21,8 @@ class Reference {
     std::uint32_t triangle;  ///< number in file order over all meshes, spheres too
     double t;                ///< of the camera ray: toWorld times the unit camera direction
     double u, v;  ///< barycentric weights of the triangle's second and third corner; 0 on a sphere
+    double distance;      ///< from the camera
+    glm::dvec3 position;  ///< in the scene's own space
   };
 
   /// Builds its tree. The scene must outlive it. Throws Error(Scene) for 2^31 triangles or more.
@@ -39,7 +41,7 @@ class Reference {
 
   /// Whether radiance() at the eight film positions `delta` pixels up, down, left, right and
   /// diagonally from `film` agrees with that at `film` to `tolerance` in every channel: no
-  /// silhouette, tie or shadow boundary lies near, so that float rounding cannot excuse a
+  /// silhouette, tie or shadow boundary lies near, so that float rounding cannot explain a
   /// difference. Features narrower than delta may pass between the nine. False on NaN.
   bool decided(glm::dvec2 film, double delta, double tolerance,
                glm::dvec2 numbers = glm::dvec2(0.5)) const;
