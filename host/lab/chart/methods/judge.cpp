@@ -101,7 +101,7 @@ std::uint64_t MethodJudge::unexplained(std::span<const MethodHit> hits) const {
   std::atomic<std::uint64_t> count = 0;
   parallelFor(hits.size(), 64, 0, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      if (hits[i].id != truths_[i].id && !rounded_.explain(rays_[i], hits[i].id)) ++count;
+      if (hits[i].id != truths_[i].id && !rounded_.explains(rays_[i], hits[i].id)) ++count;
   });
   return count;
 }

@@ -7,19 +7,19 @@
 #include <numbers>
 
 #include "bvh/walk.h"
+#include "core/numeric.h"
 #include "reference/ray.h"
+#include "reference/rounding.h"
 
 namespace laver::chart {
 namespace {
 
 using glm::dvec2;
 using glm::dvec3;
-constexpr double e = 0x1p-24;
+constexpr double e = kUnitRoundoff;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double cross(dvec2 a, dvec2 b) { return a.x * b.y - a.y * b.x; }
-
-double largest(const dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 /// A triangle beside a ray: places in the plane across the largest axis, depths along it.
 struct Seen {
@@ -57,15 +57,6 @@ struct Seen {
   }
 };
 
-/// How far a corner's place may be off.
-double boundOf(const dvec3& corner, const dvec3& origin, const dvec3& direction, dvec2 place) {
-  const dvec3 d = glm::abs(direction), p = glm::abs(corner - origin);
-  const int z = d.x >= d.y && d.x >= d.z ? 0 : d.y >= d.z ? 1 : 2;
-  const int x = (z + 1) % 3, y = (z + 2) % 3;
-  const dvec2 off{p[x] + 3.0 * d[x] / d[z] * p[z], p[y] + 3.0 * d[y] / d[z] * p[z]};
-  return e * glm::length(off + glm::abs(place));
-}
-
 Seen seenFrom(const shared::Triangle& triangle, const MethodRay& ray) {
   const dvec3 o(ray.origin), d(ray.direction);
   const reference::Shear shear({o, d});
@@ -77,15 +68,13 @@ Seen seenFrom(const shared::Triangle& triangle, const MethodRay& ray) {
     const dvec3 at = shear(corners[i]);
     seen.p[i] = dvec2(at);
     seen.z[i] = at.z * sign;
-    off[i] = boundOf(corners[i], o, d, seen.p[i]);
+    off[i] = cornerShift(corners[i] - o, d, seen.p[i]);
   }
   seen.distance = seen.covers(dvec2(0)) ? 0 : kInfinity;
   for (std::size_t i = 0; i < 3; ++i) {
     const dvec2 a = seen.p[i], b = seen.p[(i + 1) % 3], along = b - a;
     const double length = glm::length(along);
-    const double products = std::abs(a.x * b.y) + std::abs(a.y * b.x);
-    const double moved = length > 0 ? e * products / length : 0;
-    seen.bound = std::max(seen.bound, std::max(off[i], off[(i + 1) % 3]) + moved);
+    seen.bound = std::max(seen.bound, std::max(off[i], off[(i + 1) % 3]) + edgeShift(a, b));
     const double share =
         length > 0 ? std::clamp(-glm::dot(a, along) / (length * length), 0.0, 1.0) : 0.0;
     seen.distance = std::min(seen.distance, glm::length(a + share * along));
@@ -96,8 +85,8 @@ Seen seenFrom(const shared::Triangle& triangle, const MethodRay& ray) {
 /// Triangles that lie within their own bound of the ray and within its ends.
 std::vector<Seen> nearRay(const Bvh& bvh, const MethodRay& ray) {
   const dvec3 o(ray.origin), d(ray.direction);
-  const double scale = largest(d);
-  const double pad = 64.0 * e * (largest(o) + 1.0);  // more than any bound
+  const double scale = maxNorm(d);
+  const double pad = 64.0 * e * (maxNorm(o) + 1.0);  // more than any bound
   std::vector<Seen> list;
   const auto passes = [&](const shared::Child& child) {
     double near = -kInfinity, far = kInfinity;
@@ -150,7 +139,7 @@ std::vector<dvec2> pointsIn(const std::vector<dvec2>& polygon) {
 
 }  // namespace
 
-bool RoundedHits::explain(const MethodRay& ray, std::uint32_t id) const {
+bool RoundedHits::explains(const MethodRay& ray, std::uint32_t id) const {
   const std::vector<Seen> list = nearRay(bvh_, ray);
   double reach = 0;
   for (const Seen& seen : list) reach = std::max(reach, seen.bound);
