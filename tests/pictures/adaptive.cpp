@@ -84,7 +84,7 @@ TEST(Adaptive, ACropIsCutOutOfTheFullPicture) {
 /// A pixel in double from the reference's radiances: each sample weighs one over its pixel's count
 /// or, the fault, one.
 glm::dvec3 pixelOf(const Scene& scene, const Reference& reference, const Image& counts, int x,
-                   int y, bool byCount, double moved, bool& decided) {
+                   int y, bool byCount, const Judge& judge, bool& decided) {
   const laver::reference::FilterWeights weights(scene.filter, false);
   const int reach = weights.reach();
   glm::dvec3 sum(0.0);
@@ -98,7 +98,7 @@ glm::dvec3 pixelOf(const Scene& scene, const Reference& reference, const Image& 
         if (w == 0.0) continue;
         sum += w / (byCount ? count : 1) * reference.radiance(film);
         total += w / (byCount ? count : 1);
-        decided = decided && reference.decided(film, moved, 1e-3);
+        decided = decided && !judge.otherValue(film, glm::dvec2(0.5), 1e-3);
       }
     }
   return sum / total;
@@ -108,7 +108,7 @@ TEST(Adaptive, EqualsTheReferenceWhereRegionsOfDifferentCountsMeet) {
   const Scene scene = floorScene(64);
   const Adaptive ours = renderTo(scene, adaptive());
   const Reference reference(scene);
-  const double moved = movedBy(scene, reference);
+  const Judge judge(scene, reference);
   const Image& counts = ours.stats.samples;
   int borders = 0, unweighted = 0, explained = 0;
   for (int y = 3; y < 64; y += 4)
@@ -116,7 +116,7 @@ TEST(Adaptive, EqualsTheReferenceWhereRegionsOfDifferentCountsMeet) {
       if (counts.at(x, y, 0) == counts.at(x + 1, y, 0)) continue;
       ++borders;
       const auto distance = [&](bool byCount, bool& decided) {
-        const glm::dvec3 wanted = pixelOf(scene, reference, counts, x, y, byCount, moved, decided);
+        const glm::dvec3 wanted = pixelOf(scene, reference, counts, x, y, byCount, judge, decided);
         double most = 0;
         for (int c = 0; c < 3; ++c)
           most = std::max(most, std::abs(wanted[c] - static_cast<double>(ours.image.at(
@@ -124,7 +124,7 @@ TEST(Adaptive, EqualsTheReferenceWhereRegionsOfDifferentCountsMeet) {
         return most;
       };
       bool decided = true, any = true;
-      // 1e-4 as for every scene; beyond it a sample must lie at an edge, as explain.h has it.
+      // 1e-4 as for every scene; beyond it a sample must lie at an edge.
       if (distance(true, decided) > 1e-4) {
         EXPECT_FALSE(decided) << x << ' ' << y;
         ++explained;

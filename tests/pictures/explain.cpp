@@ -1,15 +1,9 @@
 #include "pictures/explain.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-
 #include "pictures/harness.h"
 #include "render/packed.h"
 
 namespace laver::test {
-namespace {
 
 double difference(const Image& a, const Image& b, int x, int y) {
   double largest = 0.0;
@@ -93,9 +87,7 @@ void expectTraversalsMatch(const Scene& scene, double tolerance) {
   const Image image = render(scene);
   expectSameByAll(image, scene);
   const Reference reference(scene);
-  const Explanation e = explain(image, reference.render().image, scene, reference, tolerance);
-  EXPECT_EQ(e.unexplained, 0) << e.first;
-  EXPECT_LT(e.differing, image.width * image.height / 50);
+  expectExplained(image, reference.render().image, scene, reference, tolerance);
 }
 
 }  // namespace laver::test

@@ -17,9 +17,7 @@ void expectMatch(const Scene& scene, bool noriCompat = false) {
   const Image image = render(scene, onTestDevice(), options);
   const Reference reference(scene);
   const Image truth = reference.render(options).image;
-  const Explanation e = explain(image, truth, scene, reference, kTolerance);
-  EXPECT_EQ(e.unexplained, 0) << e.first;
-  EXPECT_LT(e.differing, image.width * image.height / 50);
+  expectExplained(image, truth, scene, reference, kTolerance);
   // A black picture would agree with a black reference.
   EXPECT_GT(
       std::count_if(truth.pixels.begin(), truth.pixels.end(), [](float v) { return v > 0.01F; }),
@@ -135,19 +133,20 @@ TEST(Scenes, ADifferenceThatNoDecisionExplainsIsFound) {
   // The explanation must be able to fail: brighten one pixel in the middle of a wall.
   const Scene scene = smallScene("cornell-two-lights.xml", 64, 2);
   const Reference reference(scene);
+  const Judge judge(scene, reference);
   const Image truth = reference.render().image;
   Image wrong = truth;
-  int changed = 0;
+  std::uint64_t changed = 0;
   for (int y = 0; y < 64 && changed == 0; ++y)
     for (int x = 0; x < 64 && changed == 0; ++x) {
       const Image before = wrong;
       wrong.at(x, y, 1) += 0.001F;
-      const Explanation e = explain(wrong, truth, scene, reference, kTolerance);
-      ASSERT_EQ(e.differing, 1);
-      changed = e.unexplained;
+      const PixelDifferences found = explainPixels(wrong, truth, judge, kTolerance);
+      ASSERT_EQ(found.differing, 1U);
+      changed = found.unexplained;
       if (changed == 0) wrong = before;
     }
-  EXPECT_EQ(changed, 1);
+  EXPECT_EQ(changed, 1U);
 }
 
 }  // namespace

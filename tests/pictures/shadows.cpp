@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "pictures/explain.h"
+#include "lab/explain/judge.h"
 #include "pictures/harness.h"
 #include "support/bumpy_sphere.h"
 
@@ -36,9 +36,9 @@ TEST_P(Shadows, NoFacetShadesItselfOrItsNeighbour) {
     const auto lit =
         std::count_if(truth.pixels.begin(), truth.pixels.end(), [](float v) { return v > 0.05F; });
     EXPECT_GT(lit, 20000);
-    const Explanation e = explain(image, truth, scene, reference, 1e-3);
-    EXPECT_EQ(e.unexplained, 0) << "bump " << bump << ": " << e.first;
-    EXPECT_LT(e.differing, 20);
+    const PixelDifferences found = explainPixels(image, truth, Judge(scene, reference), 1e-3);
+    EXPECT_EQ(found.unexplained, 0U) << "bump " << bump << ": " << found.first;
+    EXPECT_LT(found.differing, 20U);
   }
 }
 INSTANTIATE_TEST_SUITE_P(LightDistance, Shadows, testing::Values(3.0, 30.0, 3e3, 3e4, 1e6));

@@ -55,9 +55,7 @@ void expectMatch(const Scene& scene, bool alsoGeneric = false) {
   }
   const Reference reference(scene);
   const Image truth = reference.render().image;
-  const Explanation e = explain(image, truth, scene, reference, 1e-4);
-  EXPECT_EQ(e.unexplained, 0) << e.first;
-  EXPECT_LT(e.differing, image.width * image.height / 50);
+  expectExplained(image, truth, scene, reference, 1e-4);
   EXPECT_GT(
       std::count_if(truth.pixels.begin(), truth.pixels.end(), [](float v) { return v > 0.01F; }),
       image.width * image.height / 20);

@@ -1,5 +1,5 @@
-// Every scene of triangles in scenes/ against the double reference, sample by sample; and a vertex
-// moved by 16 ulp, to show that the explanation can fail.
+// Every scene in scenes/ against the double reference, sample by sample; and a vertex moved by 16
+// ulp, to show that the explanation can fail.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -14,33 +14,42 @@
 namespace laver::test {
 namespace {
 
-/// Flat facets, and one corner of the triangle that most samples meet moved along its normal by 16
-/// ulp of a coordinate of 1 in normalised space.
+/// Flat facets, and of the primitive that most samples meet, a corner moved along its normal by 16
+/// ulp of a coordinate of 1 in normalised space, or a sphere's centre by 512: it has no edges that
+/// turn its normal.
 struct Mutation {
   Scene flat, moved;
 };
 
-Mutation mutationOf(const Scene& scene) {
-  Mutation m{scene, scene};
-  for (Scene* s : {&m.flat, &m.moved})
-    for (Mesh& mesh : s->meshes) mesh.normals.clear();
+std::uint32_t mostSampled(const Scene& scene) {
   const Reference reference(scene);
   std::map<std::uint32_t, int> samples;
   for (int y = 0; y < scene.camera.height; ++y)
     for (int x = 0; x < scene.camera.width; ++x)
       if (const auto hit = reference.closest(glm::dvec2(x + 0.5, y + 0.5)))
         ++samples[hit->triangle];
-  std::uint32_t id = std::max_element(samples.begin(), samples.end(), [](auto& a, auto& b) {
-                       return a.second < b.second;
-                     })->first;
-  std::size_t mesh = 0;
-  while (id >= scene.meshes[mesh].triangles.size())
-    id -= static_cast<std::uint32_t>(scene.meshes[mesh++].triangles.size());
-  auto& positions = m.moved.meshes[mesh].positions;
-  const glm::uvec3 t = scene.meshes[mesh].triangles[id];
+  return std::max_element(samples.begin(), samples.end(),
+                          [](auto& a, auto& b) { return a.second < b.second; })
+      ->first;
+}
+
+Mutation mutationOf(const Scene& scene) {
+  Mutation m{scene, scene};
+  for (Scene* s : {&m.flat, &m.moved})
+    for (Mesh& mesh : s->meshes) mesh.normals.clear();
+  std::size_t number = mostSampled(scene);
+  auto mesh = m.moved.meshes.begin();
+  for (; number >= mesh->primitives(); ++mesh) number -= mesh->primitives();
+  const double ulp = 0x1p-24 / normalisationOf(scene).scale;
+  if (mesh->sphere) {
+    mesh->sphere->centre.x += 512 * ulp;
+    return m;
+  }
+  auto& positions = mesh->positions;
+  const glm::uvec3 t = mesh->triangles[number];
   const glm::dvec3 normal =
       glm::normalize(glm::cross(positions[t.y] - positions[t.x], positions[t.z] - positions[t.x]));
-  positions[t.x] += normal * (16 * 0x1p-24 / normalisationOf(scene).scale);
+  positions[t.x] += normal * (16 * ulp);
   return m;
 }
 
@@ -57,11 +66,11 @@ LAVER_STABILITY(Explained, "Every scene of triangles against the double referenc
     const Mutation mutation = mutationOf(scene);
     const Explanation wrong = explain(mutation.moved, mutation.flat, vulkan);
     const Explanation e = explain(scene, scene, vulkan);
-    record.add({name + ", naive: a vertex moved", "renderer", e.samples,
+    record.add({name + ", naive: geometry moved", "renderer", e.samples,
                 static_cast<double>(wrong.unexplained()), static_cast<double>(e.unexplained()), 0.0,
                 "unexplained"});
     // One sample in 10,000; a small film may have one or two all the same.
-    const auto explained = e.idExplained + e.shadowExplained;
+    const auto explained = e.hits.explained + e.occlusion.explained;
     record.add({name, "renderer", e.samples, std::nullopt, static_cast<double>(explained),
                 std::max(2.0, 1e-4 * static_cast<double>(e.samples)), "explained"});
     if (e.unexplained() != 0) ADD_FAILURE() << describe(e);

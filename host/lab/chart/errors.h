@@ -21,7 +21,7 @@ Image rgbOf(const Image& image, const std::string& file);
 /// A picture beside the double-precision picture of the same samples.
 struct Mismatches {
   std::uint64_t pixels = 0;       ///< that differ beyond kMismatch
-  std::uint64_t unexplained = 0;  ///< of these: no sample of them lies near an edge or a shadow's
+  std::uint64_t unexplained = 0;  ///< of these, by Judge (explain/judge.h)
   double rmse = 0;                ///< over all pixels: what float arithmetic alone does
 };
 

@@ -5,107 +5,196 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <variant>
 
-#include "lab/explain/texture_bounds.h"
+#include "core/numeric.h"
 
 namespace laver {
 namespace {
 
 using glm::dvec2;
 using glm::dvec3;
-constexpr double e = 0x1p-24;
+constexpr double e = kUnitRoundoff;
+constexpr double pi = std::numbers::pi;
 
-double largest(dvec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+/// What a material shows around a place.
+struct AlbedoBounds {
+  double largest;  ///< of any channel
+  double change;   ///< of a channel, if the place moves as far as it may
+};
+
+double valueOf(const Picture& picture, bool raw, std::size_t index, std::size_t channel) {
+  if (const auto* image = std::get_if<Image>(&picture))
+    return static_cast<double>(image->pixels[3 * index + channel]);
+  const double x = std::get<Bitmap>(picture).pixels[index][channel] / 255.0;
+  return raw ? x : linearOfSrgb(x);
+}
+
+/// At `uv`, which may move by `shift` on each axis. The edges of a checker are no matter here:
+/// which colour a sample shows is a decision.
+AlbedoBounds albedoBounds(const Texture& texture, dvec2 uv, dvec2 shift) {
+  const double factor = maxNorm(texture.colors[0]);
+  if (texture.kind == Texture::Kind::Checker)
+    return {std::max(factor, maxNorm(texture.colors[1])), 0.0};
+  if (!texture.image) return {factor, 0.0};
+  const Picture& picture = *texture.image;
+  const glm::ivec2 size(widthOf(picture), heightOf(picture));
+  const dvec2 st = texture.scale * uv + texture.offset;
+  // Product and sum, the part of 1, the product with the size and the half pixel.
+  const dvec2 moved =
+      (glm::abs(texture.scale) * shift + 4.0 * e * (glm::abs(st) + 1.0)) * dvec2(size);
+  const dvec2 place((st.x - std::floor(st.x)) * size.x - 0.5,
+                    (1.0 - (st.y - std::floor(st.y))) * size.y - 0.5);
+  // The pixels that the place may lie between.
+  const glm::ivec2 reach(glm::min(moved, dvec2(64.0)) + 1.0);
+  const glm::ivec2 low = glm::ivec2(glm::floor(place)) - reach;
+  const glm::ivec2 high = glm::ivec2(glm::floor(place)) + 1 + reach;
+  const auto around = [](int i, int n) { return (i % n + n) % n; };
+  AlbedoBounds bounds{0.0, 0.0};
+  double range = 0.0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    double min = std::numeric_limits<double>::infinity(), max = -min;
+    for (int y = low.y; y <= high.y; ++y)
+      for (int x = low.x; x <= high.x; ++x) {
+        const int index = around(y, size.y) * size.x + around(x, size.x);
+        const double value = valueOf(picture, texture.raw, static_cast<std::size_t>(index), c);
+        min = std::min(min, value);
+        max = std::max(max, value);
+      }
+    bounds.largest = std::max({bounds.largest, std::abs(min), std::abs(max)});
+    range = std::max(range, max - min);
+  }
+  // Along each axis the slope is one range per pixel at most.
+  bounds.change = factor * (range * std::min(1.0, moved.x + moved.y) + 8.0 * e * bounds.largest);
+  bounds.largest *= factor;
+  return bounds;
+}
 
 }  // namespace
 
-BoundsOf::BoundsOf(const Scene& scene) : scene_(scene), space_(normalisationOf(scene)) {
+/// The surface around a hit; lengths in normalised space.
+struct BoundsOf::Local {
+  double depth;   // relative
+  double shift;   // of the hit along the surface
+  double normal;  // angle
+  dvec2 uv{0.0}, uvShift{0.0};
+  std::string cause;
+};
+
+BoundsOf::BoundsOf(const Scene& scene, const Rounding& rounding)
+    : scene_(scene), rounding_(rounding), space_(normalisationOf(scene)) {
   const glm::dmat4& m = scene.camera.toWorld;
   eye_ = space_.apply(dvec3(m[3]) / m[3].w);
-  reach_ = largest(eye_) + 1.0;
-  pixelsAcross_ =
-      scene.camera.width / (2.0 * std::tan(scene.camera.fov * std::numbers::pi / 360.0));
 }
 
-BoundsOf::Place BoundsOf::placeOf(std::uint32_t id) const {
-  for (const Mesh& mesh : scene_.meshes) {
-    if (id < mesh.triangles.size()) return {&mesh, mesh.triangles[id]};
-    id -= static_cast<std::uint32_t>(mesh.triangles.size());
-  }
-  return {};
+double BoundsOf::sideways(dvec2 film, double distance, double farthest) const {
+  const double scale = space_.scale;
+  return rounding_.sideways(film, distance / scale, farthest / scale) * scale;
 }
 
-double BoundsOf::distanceOf(std::uint32_t id, double u, double v) const {
-  const auto [mesh, t] = placeOf(id);
-  const dvec3 p =
-      (1.0 - u - v) * mesh->positions[t.x] + u * mesh->positions[t.y] + v * mesh->positions[t.z];
-  return glm::length(space_.apply(p) - eye_) / space_.scale;
-}
-
-// Film position (1 e of the film), three columns (3 e), origin and vertices (2 e O / distance),
-// corner - origin, slope, shear, edge functions (11 e O / distance, box.h): 16 e O / distance with
-// distance <= 2 O, and twice that because the reference's own hit is as uncertain of the scene.
-double BoundsOf::pixelsAt(double distance) const {
-  return 32.0 * e * reach_ / (distance * space_.scale) * pixelsAcross_;
-}
-
-// Three columns and a film position, the matrix to the picture, and 4 ulp of half a turn: 32 e.
-double BoundsOf::pixelsOfBackground() const { return 32.0 * e * pixelsAcross_; }
-
-Bounds BoundsOf::at(std::uint32_t id, double u, double v) const {
-  const auto [mesh, t] = placeOf(id);
-  const std::array<int, 3> corner{0, 1, 2};
+BoundsOf::Local BoundsOf::onTriangle(dvec2 film, const Reference::Hit& hit, const Mesh& mesh,
+                                     const glm::uvec3& t) const {
+  const std::array<double, 3> weights{1.0 - hit.u - hit.v, hit.u, hit.v};
   std::array<dvec3, 3> p;
-  for (const int i : corner) p[static_cast<std::size_t>(i)] = space_.apply(mesh->positions[t[i]]);
-  const dvec3 hit = (1.0 - u - v) * p[0] + u * p[1] + v * p[2];
-  const double distance = glm::length(hit - eye_);
+  for (int i = 0; i < 3; ++i) p[static_cast<std::size_t>(i)] = space_.apply(mesh.positions[t[i]]);
+  const dvec3 way = space_.apply(hit.position) - eye_;
+  const double distance = glm::length(way);
   const dvec3 cross = glm::cross(p[1] - p[0], p[2] - p[0]);
   const double longest =
       std::max({glm::length(p[1] - p[0]), glm::length(p[2] - p[1]), glm::length(p[0] - p[2])});
   const double height = glm::length(cross) / longest;
-  const double cosine = std::abs(glm::dot(glm::normalize(cross), (hit - eye_) / distance));
+  const double cosine = std::abs(glm::dot(glm::normalize(cross), way / distance));
 
-  Bounds b{};
-  b.pixels = pixelsAt(distance / space_.scale);
-  // Along the ray: origin, vertices, difference and dot products 8 e O, seen under the incidence;
-  // the last quotients 4 e.
-  b.depth = 4.0 * e + 8.0 * e * reach_ / (distance * cosine);
-  // Along the surface.
-  const double shift = 8.0 * e * reach_ / cosine;
-  b.cause = cosine < 0.1 ? fmt::format("seen at cos {:.2g}", cosine)
-                         : fmt::format("triangle of height {:.2g}", height);
-  if (mesh->normals.empty()) {
-    b.normal = 4.0 * e + 4.0 * e / height;  // rounded corners tilt the plane
-  } else {
-    const dvec3 a = mesh->normals[t.x], c = mesh->normals[t.y], d = mesh->normals[t.z];
-    const double turn = std::max({glm::length(a - c), glm::length(c - d), glm::length(d - a)});
-    const double length = std::max(glm::length((1.0 - u - v) * a + u * c + v * d), 1e-30);
-    b.normal = (8.0 * e + turn * (shift + 4.0 * e) / height) / length;
-    if (length < 0.1) b.cause = "vertex normals that nearly cancel";
+  Local local{};
+  local.cause = cosine < 0.1 ? fmt::format("seen at cos {:.2g}", cosine)
+                             : fmt::format("triangle of height {:.2g}", height);
+  const double farthest =
+      std::max({glm::length(p[0] - eye_), glm::length(p[1] - eye_), glm::length(p[2] - eye_)});
+  const double aside = sideways(film, distance, farthest);
+  local.shift = aside / cosine;
+  // The plane: its normal, 4 e by accurateCross(), corners and edges; the dot products, 3 e each;
+  // what the ray's own turn and the corners' rounding do is in `aside`. Quotient and product 4
+  // e.
+  local.depth = 4.0 * e + (aside + 14.0 * e * distance + 2.0 * e * longest) / (distance * cosine);
+  // Rounded corners and edges tilt the plane.
+  local.normal = 8.0 * e + (4.0 + 2.0 * longest) * e / height;
+  const double moved = local.shift / height + 10.0 * e;  // of the weights
+  if (!mesh.normals.empty()) {
+    std::array<dvec3, 3> n;
+    dvec3 sum(0.0);
+    for (std::size_t i = 0; i < 3; ++i) {
+      n[i] = mesh.normals[t[static_cast<int>(i)]];
+      sum += weights[i] * n[i];
+    }
+    const double spread =
+        std::max({glm::length(n[0] - n[1]), glm::length(n[1] - n[2]), glm::length(n[2] - n[0])});
+    const double length = std::max(glm::length(sum), 1e-30);
+    local.normal = (8.0 * e + spread * moved) / length;
+    if (length < 0.1) local.cause = "vertex normals that nearly cancel";
   }
-  TextureBounds albedo{largest(mesh->bsdf.albedo), 0.0};
-  if (mesh->bsdf.texture) {
-    std::array<dvec2, 3> uv{dvec2(0.0, 0.0), dvec2(1.0, 0.0), dvec2(0.0, 1.0)};
-    for (const int i : corner)
-      if (!mesh->uvs.empty()) uv[static_cast<std::size_t>(i)] = mesh->uvs[t[i]];
-    const dvec2 low = glm::min(uv[0], glm::min(uv[1], uv[2]));
-    const dvec2 high = glm::max(uv[0], glm::max(uv[1], uv[2]));
-    // Weights move as those of vertex normals do; coordinates are rounded, and so is their sum.
-    const dvec2 moved = (high - low) * (shift + 4.0 * e) / height +
-                        4.0 * e * glm::max(glm::abs(low), glm::abs(high));
-    albedo =
-        textureBounds(*mesh->bsdf.texture, (1.0 - u - v) * uv[0] + u * uv[1] + v * uv[2], moved);
+  std::array<dvec2, 3> uv{dvec2(0.0, 0.0), dvec2(1.0, 0.0), dvec2(0.0, 1.0)};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!mesh.uvs.empty()) uv[i] = mesh.uvs[t[static_cast<int>(i)]];
+    local.uv += weights[i] * uv[i];
   }
+  const dvec2 low = glm::min(uv[0], glm::min(uv[1], uv[2]));
+  const dvec2 high = glm::max(uv[0], glm::max(uv[1], uv[2]));
+  // Coordinates are rounded, and so is their sum.
+  local.uvShift = (high - low) * moved + 4.0 * e * glm::max(glm::abs(low), glm::abs(high));
+  return local;
+}
+
+BoundsOf::Local BoundsOf::onSphere(dvec2 film, const Reference::Hit& hit,
+                                   const Sphere& sphere) const {
+  const double radius = sphere.radius * space_.scale;
+  const dvec3 normal = glm::normalize(hit.position - sphere.centre);
+  const dvec3 way = space_.apply(hit.position) - eye_;
+  const double distance = glm::length(way);
+  const double cosine = std::abs(glm::dot(normal, way / distance));
+
+  Local local{};
+  local.cause = cosine < 0.1 ? fmt::format("sphere seen at cos {:.2g}", cosine)
+                             : fmt::format("sphere of radius {:.2g}", radius);
+  // A line that moves sideways by s turns the normal by s / (r cos), and near the outline by
+  // sqrt(2 s / r) at most. The normal's length errs by 8 e (sphere.h).
+  const double aside =
+      sideways(film, distance, glm::length(space_.apply(sphere.centre) - eye_) + radius);
+  const double turn = std::min(aside / (radius * cosine), std::sqrt(2.0 * aside / radius));
+  local.normal = 8.0 * e + turn;
+  local.shift = turn * radius;
+  local.depth = 4.0 * e + (aside + local.shift) / distance;
+  // Longitude and latitude, each as a share and within 4 e (turn.glsl).
+  const double parallel = std::hypot(normal.x, normal.y);
+  local.uv = {0.5 + std::atan2(normal.y, normal.x) / (2.0 * pi),
+              0.5 + std::asin(std::clamp(normal.z, -1.0, 1.0)) / pi};
+  local.uvShift =
+      8.0 * e + local.normal * dvec2(1.0 / (2.0 * pi * std::max(parallel, 1e-30)), 1.0 / pi);
+  return local;
+}
+
+ValueBounds BoundsOf::at(dvec2 film, const Reference::Hit& hit) const {
+  auto mesh = scene_.meshes.begin();
+  std::size_t number = hit.triangle;
+  for (; number >= mesh->primitives(); ++mesh) number -= mesh->primitives();
+  const Local local = mesh->sphere ? onSphere(film, hit, *mesh->sphere)
+                                   : onTriangle(film, hit, *mesh, mesh->triangles[number]);
+  const AlbedoBounds albedo = mesh->bsdf.texture
+                                  ? albedoBounds(*mesh->bsdf.texture, local.uv, local.uvShift)
+                                  : AlbedoBounds{maxNorm(mesh->bsdf.albedo), 0.0};
+  ValueBounds bounds{local.depth, local.normal, 0.0, local.cause};
   // Lambert's law: cos / d^2 changes by 3 shifts / d; a light is rounded too.
+  const dvec3 point = space_.apply(hit.position);
   for (const PointLight& light : scene_.lights) {
     const dvec3 position = space_.apply(light.position);
-    const double d = std::max(glm::length(position - hit), 1e-30);
-    const double power = largest(light.radiance) * space_.scale * space_.scale / (d * d);
-    const double relative = 8.0 * e + b.normal + 3.0 * (shift + e * (1.0 + largest(position))) / d;
-    b.radiance += power / std::numbers::pi * (albedo.largest * relative + albedo.change);
+    const double d = std::max(glm::length(position - point), 1e-30);
+    const double power = maxNorm(light.radiance) * space_.scale * space_.scale / (d * d);
+    const double relative =
+        8.0 * e + local.normal + 3.0 * (local.shift + e * (1.0 + maxNorm(position))) / d;
+    bounds.radiance += power / pi * (albedo.largest * relative + albedo.change);
   }
-  return b;
+  return bounds;
 }
 
 }  // namespace laver

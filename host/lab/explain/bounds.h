@@ -7,43 +7,34 @@
 
 namespace laver {
 
-/// A hit and how far float arithmetic may take the kernels from it. e = 2^-24; lengths are in
-/// normalised space, where vertices lie in [-1, 1]^3 and O = max |camera| + 1 bounds them all.
-struct Bounds {
-  double pixels;    ///< how far a ray may pass from where the reference's does
+/// How far float arithmetic may take what the kernels compute at a hit from the reference's values.
+struct ValueBounds {
   double depth;     ///< relative
-  double normal;    ///< of a component of the shading normal
-  double radiance;  ///< absolute, per channel
+  double normal;    ///< angle of the shading normal
+  double radiance;  ///< of direct light, absolute, per channel; visibility aside
   std::string cause;
 };
 
-/// Bounds at a triangle of a scene, by the scene alone.
+/// Bounds at the hits of a scene's camera rays, to first order in e = 2^-24, by the scene alone.
 class BoundsOf {
  public:
-  explicit BoundsOf(const Scene& scene);
+  /// Both outlive it.
+  BoundsOf(const Scene& scene, const Rounding& rounding);
 
-  /// At barycentric weights u, v of triangle `id`, numbered in file order over all meshes.
-  Bounds at(std::uint32_t id, double u, double v) const;
-
-  /// How far rays may pass from one another at a distance from the camera, in pixels.
-  double pixelsAt(double distance) const;
-  /// How far a ray's direction may be off, and the place of a background that it sees, in pixels.
-  double pixelsOfBackground() const;
-  /// In scene units.
-  double distanceOf(std::uint32_t id, double u, double v) const;
+  /// `hit` is that of the ray through `film`.
+  ValueBounds at(glm::dvec2 film, const Reference::Hit& hit) const;
 
  private:
-  struct Place {
-    const Mesh* mesh;
-    glm::uvec3 corners;
-  };
-  Place placeOf(std::uint32_t id) const;
+  struct Local;
+  Local onTriangle(glm::dvec2 film, const Reference::Hit& hit, const Mesh& mesh,
+                   const glm::uvec3& corners) const;
+  Local onSphere(glm::dvec2 film, const Reference::Hit& hit, const Sphere& sphere) const;
+  double sideways(glm::dvec2 film, double distance, double farthest) const;
 
   const Scene& scene_;
+  const Rounding& rounding_;
   Normalisation space_;
   glm::dvec3 eye_;
-  double reach_;         // O
-  double pixelsAcross_;  // for a slope of 1
 };
 
 }  // namespace laver

@@ -3,20 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <mutex>
 
-#include "core/error.h"
 #include "core/parallel.h"
-#include "lab/explain/bounds.h"
-#include "lab/explain/numbered.h"
-#include "reference/reference.h"
+#include "lab/explain/samples.h"
 
 namespace laver {
 namespace {
 
-using glm::dvec2;
-using glm::dvec3;
+using Decisions = Explanation::Decisions;
 
 /// One sample a pixel that stays in its pixel.
 Scene oneSample(Scene scene, const IntegratorRow& integrator) {
@@ -26,16 +20,27 @@ Scene oneSample(Scene scene, const IntegratorRow& integrator) {
   return scene;
 }
 
-dvec3 pixelOf(const Image& image, int x, int y) {
-  return {image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)};
+void add(ExplainedChannel& channel, double ulps, bool within, int x, int y) {
+  if (channel.ulps.empty() || ulps > channel.worst) {
+    channel.worst = ulps;
+    channel.x = x;
+    channel.y = y;
+  }
+  channel.ulps.push_back(ulps);
+  channel.unexplained += within ? 0 : 1;
 }
 
-double largest(dvec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
-/// Of a float of that size.
-double ulpOf(double x) {
-  const auto f = static_cast<float>(std::abs(x));
-  return static_cast<double>(std::nextafter(f, INFINITY) - f);
+/// Counts of up to 1, 4, 16 ... ulp.
+std::string histogram(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  std::string text;
+  auto from = values.begin();
+  for (double edge = 1.0; from != values.end(); edge *= 4.0) {
+    const auto to = std::upper_bound(from, values.end(), edge);
+    text += fmt::format("  <={:g}: {}", edge, to - from);
+    from = to;
+  }
+  return text;
 }
 
 /// Both sides of a comparison.
@@ -212,38 +217,48 @@ class Comparison {
 }  // namespace
 
 std::uint64_t Explanation::unexplained() const {
-  std::uint64_t count = idMismatches - idExplained + shadowMismatches - shadowExplained;
-  for (const ExplainedChannel& c : channels) count += c.unexplained();
-  return count;
+  std::uint64_t sum = hits.unexplained() + occlusion.unexplained();
+  for (const ExplainedChannel& c : channels) sum += c.unexplained;
+  return sum;
 }
 
 Explanation explain(const Scene& scene, const Scene& judged, const VulkanOptions& vulkan) {
-  if (hasSpheres(scene))
-    throw Error(ExitCode::Usage,
-                fmt::format("--explain {}: it tells triangles apart, and the scene has a sphere",
-                            scene.file));
-  return Comparison(scene, judged, vulkan).run();
+  const SampleComparison comparison(scene, judged, vulkan);
+  const auto width = static_cast<std::size_t>(comparison.width());
+  std::vector<ComparedSample> samples(width * static_cast<std::size_t>(comparison.height()));
+  parallelFor(samples.size(), 256, 0, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      samples[i] = comparison.at(static_cast<int>(i % width), static_cast<int>(i / width));
+  });
+
+  Explanation result;
+  for (std::size_t q = 0; q < (comparison.hasValue() ? kQuantities : kValue); ++q)
+    result.channels.push_back({.name = kQuantityNames[q]});
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const ComparedSample& sample = samples[i];
+    const int x = static_cast<int>(i % width), y = static_cast<int>(i / width);
+    if (sample.leftOut) continue;
+    ++result.samples;
+    count(result.hits, sample.otherHit, sample.explained);
+    count(result.occlusion, sample.otherOcclusion, sample.explained);
+    for (std::size_t q = 0; q < result.channels.size(); ++q)
+      if (sample.ulps[q] >= 0.0) add(result.channels[q], sample.ulps[q], sample.within[q], x, y);
+    if (result.first.empty() && !sample.unexplained.empty())
+      result.first = fmt::format("pixel {}, {}: {}", x, y, sample.unexplained);
+  }
+  for (ExplainedChannel& c : result.channels)
+    if (!c.ulps.empty()) c.cause = comparison.causeAt(c.x, c.y);
+  return result;
 }
 
 std::string describe(const Explanation& e) {
   std::string text = fmt::format("{} samples\n", e.samples);
-  text += fmt::format("other triangle: {}, {} of them explained\n", e.idMismatches, e.idExplained);
-  text += fmt::format("other shadow: {}, {} of them explained\n", e.shadowMismatches,
-                      e.shadowExplained);
-  for (const ExplainedChannel& c : e.channels) {
-    text += fmt::format("{} [ulp]:", c.name);
-    std::vector<double> sorted = c.ulps;
-    std::sort(sorted.begin(), sorted.end());
-    std::size_t before = 0;
-    for (double edge = 1.0; before < sorted.size(); edge *= 4.0) {
-      const auto to = static_cast<std::size_t>(
-          std::upper_bound(sorted.begin(), sorted.end(), edge) - sorted.begin());
-      text += fmt::format("  <={:g}: {}", edge, to - before);
-      before = to;
-    }
-    text += fmt::format("\n  beyond the bound: {}; worst {:.3g} at pixel {}, {}: {}\n",
-                        c.mismatches, c.worst, c.x, c.y, c.cause);
-  }
+  text += fmt::format("other hit: {}, {} of them explained\n", e.hits.differing, e.hits.explained);
+  text += fmt::format("other occlusion: {}, {} of them explained\n", e.occlusion.differing,
+                      e.occlusion.explained);
+  for (const ExplainedChannel& c : e.channels)
+    text += fmt::format("{} [ulp]:{}\n  beyond the bound: {}; worst {:.3g} at pixel {}, {}: {}\n",
+                        c.name, histogram(c.ulps), c.unexplained, c.worst, c.x, c.y, c.cause);
   return text + fmt::format("unexplained: {}{}\n", e.unexplained(),
                             e.unexplained() == 0 ? "" : "; " + e.first);
 }
