@@ -8,6 +8,7 @@
 
 #include "pictures/harness.h"
 #include "reference/reference.h"
+#include "reference/rounding.h"
 #include "stability/record.h"
 #include "stability/subject.h"
 #include "stability/surfaces.h"
@@ -68,6 +69,8 @@ LAVER_STABILITY(Lights, "A light at height 1 to 0, on and behind the surface") {
       Stats stats;
       const Image image = Renderer(vulkan).render(scene, {}, stats).image;
       const Reference reference(scene);
+      // The floor is seen head-on, its corners at most sqrt(6) away.
+      const double deltaP = Rounding(scene).sideways(glm::dvec2(32.0), 2.0, std::sqrt(6.0));
       notFinite += stats.droppedSamples;
       naive += naiveNotFinite(scene, reference);
       for (int y = 0; y < image.height; ++y)
