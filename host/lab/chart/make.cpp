@@ -1,31 +1,18 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <filesystem>
 
 #include "core/error.h"
 #include "image/io.h"
 #include "lab/chart/chart.h"
 #include "lab/chart/machine.h"
-#include "lab/chart/numbers.h"
-#include "lab/chart/run.h"
+#include "lab/chart/measure.h"
 #include "reference/reference.h"
 
 namespace laver::chart {
 namespace {
-
-/// Pictures of more samples per pixel are not compared with the reference's of the same samples,
-/// which takes longer than all the rest.
-constexpr double kMaxJudged = 64;
-
-/// Thrown where an observer stopped the work.
-struct Stopped {};
-
-void throwIfStopped(const Options& options) {
-  if (stops(options.observers)) throw Stopped{};
-}
 
 /// A part of the work, for its observers: from one share of the whole time, about, to another.
 class Part : public Observer {
@@ -41,17 +28,7 @@ class Part : public Observer {
   const std::vector<Observer*>& observers_;
   double from_, to_;
 };
-constexpr double kTruthEnd = 0.4, kRunsEnd = 0.9;
-
-void say(const Options& options, const std::string& line) {
-  if (options.say) options.say(line);
-}
-
-Scene sceneOf(const Options& options) {
-  SceneOverrides overrides;
-  overrides.size = options.size;
-  return loadScene(options.scene, overrides).scene;
-}
+constexpr double kTruthEnd = 0.4, kRunsEnd = 0.95;
 
 Image renderReference(const Scene& scene, const Options& options, Part part) {
   RenderOptions render;
@@ -77,17 +54,18 @@ Truth truthOf(Scene scene, const Options& options) {
   return truth;
 }
 
-std::vector<std::string> commandOf(const Series& series, const Options& options) {
-  std::vector<std::string> command{options.self};
-  for (const Peer& peer : options.peers)
-    if (peer.name == series.program) command = peer.command;
-  command.insert(command.end(),
-                 {options.scene, "--size", fmt::format("{}x{}", options.size.x, options.size.y)});
-  if (series.program == "laver" && !options.device.empty())
-    command.insert(command.end(), {"--device", options.device});
-  if (options.threads != 0)
-    command.insert(command.end(), {"--threads", std::to_string(options.threads)});
-  return command;
+void measureAll(Chart& chart, Measurement& measurement, const Image& truth,
+                const Options& options) {
+  std::size_t steps = 0;
+  const auto hasStep = [&](const Series& series) {
+    return !stepOptions(series, steps, options.samples).empty();
+  };
+  while (std::any_of(chart.series.begin(), chart.series.end(), hasStep)) ++steps;
+  Part part(options, kTruthEnd, kRunsEnd);
+  for (std::size_t step = 0; step < steps; ++step) {
+    measurement.measure(chart.series, step, truth);
+    part.progress(static_cast<double>(step + 1) / static_cast<double>(steps), 0);
+  }
 }
 
 void addTimes(const Run& run, const Options& options, Point& point) {
@@ -210,7 +188,7 @@ std::vector<MethodPoint> methodsOf(const Scene& scene, const Options& options) {
     throwIfStopped(options);
     return methods;
   } catch (const Error& error) {  // a sphere, or a tree too large for one buffer
-    say(options, std::string("intersection methods are left out: ") + error.what());
+    if (options.say) options.say(std::string("intersection methods are left out: ") + error.what());
     return {};
   }
 }
@@ -223,23 +201,14 @@ Chart make(const Options& options) {
   chart.width = options.size.x;
   chart.height = options.size.y;
   chart.truthSamples = options.truthSamples;
-  const Measurement measurement(options);
+  Measurement measurement(options);
   measurement.probe(chart);
   chart.series = seriesFor(chart.traversal, options.peers);
   measurement.tryPeers(chart);
   const Scene scene = sceneOf(options);
   const Truth truth = truthOf(scene, options);
   chart.truthError = truth.error;
-  std::size_t steps = 0;
-  const auto taken = [&](const Series& series) {
-    return !stepOptions(series, steps, options.samples).empty();
-  };
-  while (std::any_of(chart.series.begin(), chart.series.end(), taken)) ++steps;
-  Part runs(options, kTruthEnd, kRunsEnd);
-  for (std::size_t step = 0; step < steps; ++step) {
-    measurement.measure(chart.series, step, truth.image);
-    runs.progress(static_cast<double>(step + 1) / static_cast<double>(steps), 0);
-  }
+  measureAll(chart, measurement, truth.image, options);
   chart.methods = methodsOf(scene, options);
   writeExr((std::filesystem::path(options.folder) / "reference.exr").string(), truth.image);
   return chart;
