@@ -8,8 +8,7 @@ find_library(LAVER_STB stb)  # Debian builds Dear ImGui without its copy
 if(glfw3_FOUND AND OpenGL_FOUND AND LAVER_IMGUI_INCLUDE AND LAVER_IMGUI
    AND LAVER_STB)
   set(LAVER_HAS_WINDOW ON)
-  add_library(laver_window STATIC
-    host/show/window.cpp host/show/image_view.cpp host/show/panels.cpp)
+  add_library(laver_window STATIC host/show/window.cpp host/show/panels.cpp)
   target_include_directories(laver_window SYSTEM PRIVATE ${LAVER_IMGUI_INCLUDE})
   target_link_libraries(laver_window PRIVATE ${LAVER_IMGUI} ${LAVER_STB} glfw OpenGL::GL ${CMAKE_DL_LIBS})
 else()

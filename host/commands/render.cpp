@@ -21,7 +21,7 @@
 #include "core/atomic_file.h"
 #include "image/io.h"
 #include "reference/reference.h"
-#include "show/display_server.h"
+#include "show/tev_client.h"
 
 namespace laver {
 namespace {
@@ -131,7 +131,7 @@ ExitCode run(const RenderCommand& command, ViewedPictures* viewed) {
   if (Interruption::noted()) throw interrupted(nothing);
 
   FilmState state = stateOf(command, stateFile, scene.camera);
-  std::optional<DisplayServer> display;
+  std::optional<TevClient> display;
   if (command.displayServer) display.emplace(*command.displayServer, wanted.string());
   if (!command.quiet) std::cout << "Configuration: " << describe(scene) << "\nRendering .. ";
   flushStandardOutput();  // better now than after a long render

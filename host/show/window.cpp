@@ -12,7 +12,6 @@
 
 #include "core/error.h"
 #include "core/throttle.h"
-#include "show/image_view.h"
 #include "show/panels.h"
 
 namespace laver {

@@ -4,6 +4,9 @@
 
 #include "show/viewed_pictures.h"
 
+// host/show shows pictures: in a window (GLFW, OpenGL, Dear ImGui) and in viewers that listen on
+// TCP (tev, HDRView). ViewedPictures is what is shown, View how; compose() turns them into pixels
+// without a graphics library, and window and panels draw those.
 namespace laver {
 
 /// Shows `pictures`, of which there is at least one, until the window is closed or `over()`, which

@@ -11,15 +11,15 @@ namespace laver {
 /// Shows a growing picture in tev or HDRView, from a thread of its own. The newest values of all
 /// rows are kept, and a row that changes again before it was sent is sent once: nobody waits for a
 /// viewer. A viewer that cannot be reached or goes away costs one line on stderr.
-class DisplayServer : public Observer {
+class TevClient : public Observer {
  public:
   /// `name` is what the viewer calls the picture.
-  DisplayServer(ViewerAddress address, std::string name);
+  TevClient(ViewerAddress address, std::string name);
   /// Waits for the viewer to take what it has not: until it has taken nothing for 1 s, 10 s at
   /// most.
-  ~DisplayServer() override;
-  DisplayServer(const DisplayServer&) = delete;
-  DisplayServer& operator=(const DisplayServer&) = delete;
+  ~TevClient() override;
+  TevClient(const TevClient&) = delete;
+  TevClient& operator=(const TevClient&) = delete;
 
   /// The picture's size and channels stay the same.
   void rowsChanged(const Image& picture, int first, int end) override;

@@ -1,4 +1,4 @@
-#include "show/display_server.h"
+#include "show/tev_client.h"
 
 #include <algorithm>
 #include <future>
@@ -35,12 +35,12 @@ void expectShown(const Listener& listener, const std::string& host) {
   const Image picture = noise(300, 500, 7);
   auto viewer = viewerOf(listener);
   {
-    DisplayServer display({host, listener.port()}, "folder/picture.exr");
+    TevClient client({host, listener.port()}, "folder/picture.exr");
     const Image before = noise(300, 500, 8);
-    display.rowsChanged(before, 0, 500);
-    display.rowsChanged(picture, 100, 101);
-    display.rowsChanged(picture, 101, 500);
-    display.rowsChanged(picture, 0, 100);
+    client.rowsChanged(before, 0, 500);
+    client.rowsChanged(picture, 100, 101);
+    client.rowsChanged(picture, 101, 500);
+    client.rowsChanged(picture, 0, 100);
   }
   const Viewer seen = viewer.get();
   EXPECT_EQ(seen.name, "folder/picture.exr");
@@ -50,36 +50,36 @@ void expectShown(const Listener& listener, const std::string& host) {
   EXPECT_EQ(bitsOf(seen.picture), bitsOf(picture));
 }
 
-TEST(DisplayServer, ShowsThePictureBitForBit) { expectShown(Listener(), "127.0.0.1"); }
+TEST(TevClient, ShowsThePictureBitForBit) { expectShown(Listener(), "127.0.0.1"); }
 
-TEST(DisplayServer, FindsAViewerByNameWhicheverOfItsAddressesListens) {
+TEST(TevClient, FindsAViewerByNameWhicheverOfItsAddressesListens) {
   expectShown(Listener(), "localhost");
 }
 
-TEST(DisplayServer, SpeaksIpv6) {
+TEST(TevClient, SpeaksIpv6) {
   const Listener listener(AF_INET6);
   if (!listener.listens()) GTEST_SKIP() << "no IPv6 here";
   expectShown(listener, "::1");
 }
 
-TEST(DisplayServer, ShowsRowsWiderThanAPacket) {
+TEST(TevClient, ShowsRowsWiderThanAPacket) {
   const Listener listener;
   const Image picture = noise(100000, 3, 1);
   auto viewer = viewerOf(listener);
-  DisplayServer({"127.0.0.1", listener.port()}, "wide").rowsChanged(picture, 0, 3);
+  TevClient({"127.0.0.1", listener.port()}, "wide").rowsChanged(picture, 0, 3);
   EXPECT_EQ(bitsOf(viewer.get().picture), bitsOf(picture));
 }
 
-TEST(DisplayServer, SendsASlowViewerTheNewestRowsOnly) {
+TEST(TevClient, SendsASlowViewerTheNewestRowsOnly) {
   const Listener listener;
   const Image picture = noise(500, 500, 2);  // 3 MB
   const Image before = noise(500, 500, 3);
   std::future<Viewer> viewer;
   {
-    DisplayServer display({"127.0.0.1", listener.port()}, "picture");
+    TevClient client({"127.0.0.1", listener.port()}, "picture");
     const int connection = listener.accept();
-    for (int i = 0; i < 100; ++i) display.rowsChanged(before, 0, 500);
-    display.rowsChanged(picture, 0, 500);
+    for (int i = 0; i < 100; ++i) client.rowsChanged(before, 0, 500);
+    client.rowsChanged(picture, 0, 500);
     viewer = std::async(std::launch::async, [=] { return Viewer(connection); });
   }
   const Viewer seen = viewer.get();
@@ -88,12 +88,12 @@ TEST(DisplayServer, SendsASlowViewerTheNewestRowsOnly) {
   EXPECT_LT(seen.received, std::size_t{60000000});
 }
 
-TEST(DisplayServer, SaysInOneLineThatNobodyListens) {
+TEST(TevClient, SaysInOneLineThatNobodyListens) {
   const std::string port = Listener().port();
   testing::internal::CaptureStderr();
   {
-    DisplayServer display({"127.0.0.1", port}, "picture");
-    display.rowsChanged(noise(10, 10, 1), 0, 10);
+    TevClient client({"127.0.0.1", port}, "picture");
+    client.rowsChanged(noise(10, 10, 1), 0, 10);
   }
   const std::string said = testing::internal::GetCapturedStderr();
   EXPECT_EQ(lines(said), 1) << said;
@@ -101,39 +101,39 @@ TEST(DisplayServer, SaysInOneLineThatNobodyListens) {
       << said;
 }
 
-TEST(DisplayServer, OutlivesAViewerThatClosesMidway) {
+TEST(TevClient, OutlivesAViewerThatClosesMidway) {
   const Listener listener;
   const Image picture = noise(1000, 1000, 4);  // 12 MB, more than the system keeps
   testing::internal::CaptureStderr();
   {
-    DisplayServer display({"127.0.0.1", listener.port()}, "picture");
+    TevClient client({"127.0.0.1", listener.port()}, "picture");
     const int connection = listener.accept();
-    display.rowsChanged(picture, 0, 1000);
+    client.rowsChanged(picture, 0, 1000);
     char some[1000];
     EXPECT_GT(::read(connection, some, sizeof some), 0);
     ::close(connection);
-    for (int i = 0; i < 10; ++i) display.rowsChanged(picture, 0, 1000);
+    for (int i = 0; i < 10; ++i) client.rowsChanged(picture, 0, 1000);
   }
   EXPECT_EQ(lines(testing::internal::GetCapturedStderr()), 1);
 }
 
-TEST(DisplayServer, LeavesAViewerThatNeverReads) {
+TEST(TevClient, LeavesAViewerThatNeverReads) {
   const Listener listener(AF_INET, 4096);
   const Image picture = noise(2000, 2000, 5);
   testing::internal::CaptureStderr();
   {
-    DisplayServer display({"127.0.0.1", listener.port()}, "picture");
-    for (int i = 0; i < 3; ++i) display.rowsChanged(picture, 0, 2000);
+    TevClient client({"127.0.0.1", listener.port()}, "picture");
+    for (int i = 0; i < 3; ++i) client.rowsChanged(picture, 0, 2000);
   }
   const std::string said = testing::internal::GetCapturedStderr();
   EXPECT_EQ(lines(said), 1) << said;
   EXPECT_NE(said.find("timed out"), std::string::npos) << said;
 }
 
-TEST(DisplayServer, LeavesAViewerWithoutRowsWithoutAWord) {
+TEST(TevClient, LeavesAViewerWithoutRowsWithoutAWord) {
   const Listener listener;
   auto viewer = viewerOf(listener);
-  { const DisplayServer display({"127.0.0.1", listener.port()}, "picture"); }
+  { const TevClient client({"127.0.0.1", listener.port()}, "picture"); }
   EXPECT_EQ(viewer.get().received, 0U);
 }
 

@@ -1,15 +1,18 @@
-#include "show/display_server.h"
+#include "show/tev_client.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <condition_variable>
+#include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <mutex>
-
-#include "show/packets.h"
+#include <span>
+#include <vector>
 
 namespace laver {
 namespace {
@@ -19,9 +22,75 @@ constexpr std::chrono::seconds kStalled{1}, kAtMost{10};
 /// Numbers of a packet: a quarter MiB takes some ten microseconds to copy.
 constexpr std::size_t kPacketFloats = 1 << 16;
 
+static_assert(std::endian::native == std::endian::little, "packets hold little-endian numbers");
+
+/// A message that tev and HDRView read. Little-endian: u32 length of the packet with these four
+/// bytes, u8 operation, payload; strings end in NUL.
+class Packet {
+ public:
+  explicit Packet(std::uint8_t operation) {
+    add(std::uint32_t{0});
+    add(operation);
+  }
+
+  template <class T>
+  void add(T number) {
+    append(&number, sizeof number);
+  }
+  void add(const std::string& text) { append(text.c_str(), text.size() + 1); }
+  void add(const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) add(text);
+  }
+  void add(std::span<const float> numbers) { append(numbers.data(), numbers.size_bytes()); }
+
+  std::vector<std::byte> finish() {
+    const auto length = static_cast<std::uint32_t>(bytes_.size());
+    std::memcpy(bytes_.data(), &length, sizeof length);
+    return std::move(bytes_);
+  }
+
+ private:
+  void append(const void* data, std::size_t size) {
+    const auto* begin = static_cast<const std::byte*>(data);
+    bytes_.insert(bytes_.end(), begin, begin + size);
+  }
+
+  std::vector<std::byte> bytes_;
+};
+
+/// Operation 4: a black picture, shown at once.
+std::vector<std::byte> createImagePacket(const std::string& name, int width, int height,
+                                         const std::vector<std::string>& channels) {
+  Packet packet(4);
+  packet.add(std::uint8_t{1});  // takes the focus
+  packet.add(name);
+  packet.add(std::int32_t{width});
+  packet.add(std::int32_t{height});
+  packet.add(static_cast<std::int32_t>(channels.size()));
+  packet.add(channels);
+  return packet.finish();
+}
+
+/// Operation 6: new values of `rows` whole rows from row `y` on, channels interleaved.
+std::vector<std::byte> updateImagePacket(const std::string& name,
+                                         const std::vector<std::string>& channels, int y, int width,
+                                         int rows, std::span<const float> pixels) {
+  const auto count = static_cast<std::int64_t>(channels.size());
+  Packet packet(6);
+  packet.add(std::uint8_t{0});
+  packet.add(name);
+  packet.add(static_cast<std::int32_t>(count));
+  packet.add(channels);
+  for (const std::int32_t number : {0, y, width, rows}) packet.add(number);
+  for (std::int64_t offset = 0; offset < count; ++offset) packet.add(offset);
+  for (std::int64_t i = 0; i < count; ++i) packet.add(count);  // strides
+  packet.add(pixels);
+  return packet.finish();
+}
+
 }  // namespace
 
-struct DisplayServer::State {
+struct TevClient::State {
   ViewerAddress address;
   std::string name;
 
@@ -116,14 +185,13 @@ struct DisplayServer::State {
   }
 };
 
-DisplayServer::DisplayServer(ViewerAddress address, std::string name)
-    : state_(std::make_shared<State>()) {
+TevClient::TevClient(ViewerAddress address, std::string name) : state_(std::make_shared<State>()) {
   state_->address = std::move(address);
   state_->name = std::move(name);
   thread_ = std::thread([state = state_] { state->run(); });
 }
 
-DisplayServer::~DisplayServer() {
+TevClient::~TevClient() {
   std::unique_lock lock(state_->mutex);
   state_->ending = true;
   state_->end = Clock::now();
@@ -136,7 +204,7 @@ DisplayServer::~DisplayServer() {
   over ? thread_.join() : thread_.detach();
 }
 
-void DisplayServer::rowsChanged(const Image& picture, int first, int end) {
+void TevClient::rowsChanged(const Image& picture, int first, int end) {
   const std::lock_guard lock(state_->mutex);
   if (state_->over) return;
   Image& latest = state_->latest;
