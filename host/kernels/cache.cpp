@@ -10,7 +10,7 @@
 #include <span>
 
 #include "core/error.h"
-#include "image/atomic_file.h"
+#include "core/atomic_file.h"
 
 namespace laver {
 namespace {

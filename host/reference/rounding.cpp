@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/scene_data.h"
+#include "render/packed.h"
 
 namespace laver {
 namespace {

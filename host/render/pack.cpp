@@ -4,7 +4,7 @@
 #include <limits>
 #include <tuple>
 
-#include "core/fnv1a.h"
+#include "core/hash.h"
 #include "kernels/compose.h"
 #include "render/materials.h"
 #include "render/pack_parts.h"
@@ -263,7 +263,7 @@ std::uint64_t bytesOf(const Packed& packed) {
 }
 
 std::string contentOf(const Packed& packed, const Choices& choices) {
-  Fnv1a hash;
+  Hash hash;
   shared::Params params = packed.params;
   params.sampleCount = params.root = 0;
   hash.add(std::as_bytes(std::span(&params, 1)));

@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "core/error.h"
-#include "image/atomic_file.h"
+#include "core/atomic_file.h"
 
 namespace laver::bench {
 namespace {

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-#include "image/atomic_file.h"
+#include "core/atomic_file.h"
 #include "support/expect_error.h"
 #include "support/temporary_folder.h"
 

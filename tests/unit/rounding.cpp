@@ -9,7 +9,7 @@
 #include <random>
 
 #include "reference/ray.h"
-#include "render/scene_data.h"
+#include "render/packed.h"
 #include "shared/triangle.h"
 
 namespace laver {
@@ -53,7 +53,7 @@ TEST(Rounding, CameraRaysStayWithinTheirBoundAndComeNearIt) {
   double largest = 0.0;
   for (int i = 0; i < 200; ++i) {
     const Scene scene = randomScene(random);
-    const SceneData data = packScene(scene, {}, specialise(scene, {}));
+    const Packed data = pack(scene, {}, uploadsOf(scene, {}));
     const Rounding rounding(scene);
     for (int j = 0; j < 200; ++j) {
       const glm::vec2 film(1280.0F * unit(random), 720.0F * unit(random));

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "image/atomic_file.h"
+#include "core/atomic_file.h"
 #include "lab/chart/chart.h"
 #include "lab/chart/numbers.h"
 #include "lab/chart/panels.h"
