@@ -9,8 +9,6 @@
 #include <set>
 
 #include "core/error.h"
-#include "core/numeric.h"
-#include "image/difference.h"
 
 namespace laver {
 namespace {
@@ -20,6 +18,55 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 double relativeSquare(double difference, double reference) {
   if (difference == 0.0 || difference == kInfinity) return difference;
   return difference * difference / (reference * reference + 1e-2);
+}
+
+/// The smallest of the values that 99.9 % of them do not exceed (nearest rank). Reorders them.
+double percentile999(std::vector<double>& values) {
+  const std::size_t rank = values.size() - values.size() / 1000;  // ceil(0.999 size)
+  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(rank - 1);
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
+/// Throws Error(Usage) unless both are pictures of one size with the same channels in any order.
+void requireAlike(const Image& a, const Image& b) {
+  const auto refuse = [](const std::string& reason) { throw Error(ExitCode::Usage, reason); };
+  for (const Image* image : {&a, &b}) {
+    if (const std::string defect = imageDefect(*image); !defect.empty()) {
+      refuse(fmt::format("the {} picture is broken: {}", image == &a ? "first" : "second", defect));
+    }
+  }
+  if (a.width != b.width || a.height != b.height) {
+    refuse(fmt::format("the pictures differ in size: {} x {} and {} x {} pixels", a.width, a.height,
+                       b.width, b.height));
+  }
+  const std::set<std::string> first(a.channels.begin(), a.channels.end());
+  const std::set<std::string> second(b.channels.begin(), b.channels.end());
+  if (first != second) {
+    refuse(fmt::format("the pictures differ in channels: {} and {}", fmt::join(first, " "),
+                       fmt::join(second, " ")));
+  }
+}
+
+/// The place in b's channels of each of a's.
+std::vector<std::size_t> matchingChannels(const Image& a, const Image& b) {
+  std::vector<std::size_t> places;
+  for (const std::string& name : a.channels)
+    places.push_back(static_cast<std::size_t>(
+        std::find(b.channels.begin(), b.channels.end(), name) - b.channels.begin()));
+  return places;
+}
+
+/// Calls use(i, a, b) for every number of a, at place i in it, and its counterpart in b.
+template <class Use>
+void forPairs(const Image& a, const Image& b, Use use) {
+  requireAlike(a, b);
+  const std::vector<std::size_t> channels = matchingChannels(a, b);
+  const std::size_t stride = channels.size();
+  for (std::size_t p = 0; p < a.pixels.size(); p += stride)
+    for (std::size_t c = 0; c < stride; ++c)
+      use(p + c, static_cast<double>(a.pixels[p + c]),
+          static_cast<double>(b.pixels[p + channels[c]]));
 }
 
 }  // namespace
@@ -49,7 +96,7 @@ std::vector<ChannelDifference> compare(const Image& a, const Image& b, double to
     sum.rmse = std::sqrt(sum.rmse / n);
     sum.relativeMse /= n;
     sum.share /= n;
-    sum.percentile999 = percentile(differences, 0.999);
+    sum.percentile999 = percentile999(differences);
     result.push_back(sum);
   }
   return result;

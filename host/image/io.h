@@ -29,6 +29,12 @@ std::map<std::string, std::string> readExrTexts(const std::string& file);
 /// Writes R, G, B as 8-bit sRGB, clamped and rounded to nearest; the file is replaced
 /// atomically.
 void writePng(const std::string& file, const Image& image);
-void writePng(const std::string& file, const Bitmap& bitmap);
+/// What decides how a PNG is packed.
+enum class PngContent { Render, Drawing };
+void writePng(const std::string& file, const Bitmap& bitmap,
+              PngContent content = PngContent::Render);
+
+/// The bytes of such a file. Throws Error(Output).
+std::vector<std::byte> encodePng(const Bitmap& bitmap);
 
 }  // namespace laver

@@ -18,15 +18,4 @@ void expectExplained(const Image& image, const Image& truth, const Scene& scene,
 /// All traversals give the same bits, equal to the reference but for samples near a decision.
 void expectTraversalsMatch(const Scene& scene, double tolerance);
 
-/// How far rounding moves a sample at most, in pixels. The kernels' rays and vertices are rounded
-/// to float: film position, camera columns, vertices and barycentrics move a hit by about 16 *
-/// 2^-24 (|o| + 1) / distance in slope, in units of the scene's half-width, and the shadow ray's
-/// end by as much again. A pixel is 2 tan(fov / 2) / width in slope.
-double movedBy(const Scene& scene, const Reference& reference);
-
-/// By how much a drawn direction may be turned, in radians: the error of the shading normal that it
-/// is drawn around, 25 * 2^-24 at triangles that are no slivers (the stability case Slivers). The
-/// numbers that choose it move by no more.
-inline constexpr double kTurn = 25.0 / (1 << 24);
-
 }  // namespace laver::test

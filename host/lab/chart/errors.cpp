@@ -5,8 +5,7 @@
 
 #include "core/error.h"
 #include "image/compare.h"
-#include "lab/explain/bounds.h"
-#include "render/tiling.h"
+#include "lab/explain/judge.h"
 
 namespace laver::chart {
 

@@ -121,7 +121,7 @@ void Measurement::finish(Series& series, std::size_t step, const Image& truth) {
 Mismatches Measurement::judge(const Series& series, const Image& image) {
   const auto samples = static_cast<std::uint32_t>(series.points.back().samples);
   Scene scene = sceneOf(options_);
-  scene.sampler.kind = *samplerFromName(series.sampler);
+  scene.sampler.row = rowCalled(samplerRows(), series.sampler);
   scene.sampler.sampleCount = samples;
   const Reference reference(scene, options_.threads);
   RenderOptions render;

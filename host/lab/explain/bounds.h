@@ -2,6 +2,8 @@
 #include <glm/glm.hpp>
 #include <string>
 
+#include "reference/reference.h"
+#include "reference/rounding.h"
 #include "render/packed.h"
 #include "scene/scene.h"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/parallel.h"
-#include "render/specialise.h"
+#include "render/tiling.h"
 
 namespace laver {
 namespace {
@@ -34,8 +34,7 @@ double nearestOf(const Camera& camera, const Reference& reference) {
 }
 
 bool drawsDirections(const Scene& scene) {
-  return scene.integrator == Integrator::AverageVisibility ||
-         scene.integrator == Integrator::AmbientOcclusion;
+  return scene.integrator.row->needs.numbers;
 }
 
 /// The largest difference of a channel that is beyond `tolerance` times max(1, |wanted|), else 0.

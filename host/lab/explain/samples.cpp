@@ -14,22 +14,21 @@ using glm::dvec2;
 using glm::dvec3;
 
 /// One sample per pixel that stays in its pixel.
-Scene oneSample(Scene scene, Integrator integrator) {
+Scene oneSample(Scene scene, const IntegratorUse& integrator) {
   scene.integrator = integrator;
   scene.sampler.sampleCount = 1;
-  scene.filter = {Filter::Kind::Box, 0.5, 0.0, 0.0, 0.0};
+  scene.filter = filterOf(filters::box);
   return scene;
 }
 
-bool looksBeyondTheHit(Integrator integrator) {
-  return integrator == Integrator::DirectWhitted || integrator == Integrator::AverageVisibility ||
-         integrator == Integrator::AmbientOcclusion;
+bool looksBeyondTheHit(const IntegratorUse& integrator) {
+  return integrator.row->needs.lights || integrator.row->needs.numbers;
 }
 
 /// Every primitive with a mesh of its own, whose albedo is its number: floats hold both parts
 /// exactly. Coordinates, and so the kernels' tree, are the same.
 Scene numbered(const Scene& scene) {
-  Scene result = oneSample(scene, Integrator::Albedo);
+  Scene result = oneSample(scene, {&integrators::albedo});
   result.meshes.clear();
   const auto add = [&](Mesh mesh) {
     const std::size_t number = result.meshes.size() + 1;
@@ -74,7 +73,7 @@ void put(ComparedSample& sample, Quantity quantity, double ulps, bool within) {
 SampleComparison::SampleComparison(const Scene& scene, const Scene& judged,
                                    const VulkanOptions& vulkan)
     : truth_(oneSample(judged, judged.integrator)),
-      normalTruth_(oneSample(judged, Integrator::Normals)),
+      normalTruth_(oneSample(judged, {&integrators::normals})),
       reference_(truth_),
       normalReference_(normalTruth_),
       judge_(truth_, reference_),
@@ -86,8 +85,8 @@ SampleComparison::SampleComparison(const Scene& scene, const Scene& judged,
     return renderer.render(s, {}, stats).image;
   };
   ids_ = render(numbered(scene));
-  depth_ = render(oneSample(scene, Integrator::Depth));
-  normal_ = render(oneSample(scene, Integrator::Normals));
+  depth_ = render(oneSample(scene, {&integrators::depth}));
+  normal_ = render(oneSample(scene, {&integrators::normals}));
   if (hasValue_) value_ = render(oneSample(scene, scene.integrator));
 }
 
