@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "unit/scene_files.h"
+#include "support/scene_files.h"
 
 namespace {
 using namespace laver;
@@ -23,7 +23,7 @@ TEST(Hash, DependsOnEveryByteAndOnHowTheyAreDivided) {
 }
 
 TEST(Hash, OfAFileIsXxh3OfItsBytes) {
-  const scene_test::Files files;
+  const test::SceneFiles files;
   EXPECT_EQ(hashOfFile(files.write("empty", "")), "2d06800538d394c2");  // as the specification says
   const std::string text(200000, 'x');
   EXPECT_EQ(hashOfFile(files.write("long", text)),
