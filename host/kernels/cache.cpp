@@ -9,8 +9,8 @@
 #include <fstream>
 #include <span>
 
-#include "core/error.h"
 #include "core/atomic_file.h"
+#include "core/error.h"
 
 namespace laver {
 namespace {

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "core/error.h"
 #include "core/atomic_file.h"
+#include "core/error.h"
 
 namespace laver::bench {
 namespace {

@@ -117,7 +117,8 @@ TEST(ScenePlan, TellsOfSpheres) {
   EXPECT_EQ(line(plan, "spheres").choice, "5 spheres");
   EXPECT_EQ(plan.figures["triangles"], 1157U);
   EXPECT_EQ(
-      line(planScene(smallScene("bunny-depth.xml", 16, 1), {}, {}, testDeviceInfo()), "spheres").choice,
+      line(planScene(smallScene("bunny-depth.xml", 16, 1), {}, {}, testDeviceInfo()), "spheres")
+          .choice,
       "left out");
 }
 

@@ -53,8 +53,6 @@ std::uint64_t naiveNotFinite(const Scene& scene, const Reference& reference) {
 }
 
 LAVER_STABILITY(Lights, "A light at height 1 to 0, on and behind the surface") {
-  // p errs by 16 * 2^-24 (|o| + 1), as pictures/explain.h derives, with |o| = 2.
-  const double deltaP = 16 * 0x1p-24 * 3.0;
   std::uint64_t pixels = 0, naive = 0, notFinite = 0, lit = 0, beyond = 0;
   double worst = 0;
   for (const std::string traversal : {"lane", "packet32", "packet64"}) {

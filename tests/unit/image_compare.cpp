@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "image/compare.h"
-#include "image/compare.h"
 #include "support/expect_error.h"
 #include "unit/images.h"
 

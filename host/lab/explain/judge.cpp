@@ -33,9 +33,7 @@ double nearestOf(const Camera& camera, const Reference& reference) {
   return nearest;
 }
 
-bool drawsDirections(const Scene& scene) {
-  return scene.integrator.row->needs.numbers;
-}
+bool drawsDirections(const Scene& scene) { return scene.integrator.row->needs.numbers; }
 
 /// The largest difference of a channel that is beyond `tolerance` times max(1, |wanted|), else 0.
 /// NaN differs from everything.
