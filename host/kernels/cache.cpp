@@ -4,12 +4,12 @@
 #include <xxhash.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <span>
 
 #include "core/atomic_file.h"
+#include "core/cache_folder.h"
 #include "core/error.h"
 
 namespace laver {
@@ -26,11 +26,6 @@ struct Header {
 
 constexpr std::uint64_t kMaxBytes = std::uint64_t{16} << 20;
 
-fs::path absolute(const char* variable) {
-  const char* value = std::getenv(variable);
-  return value != nullptr && value[0] == '/' ? fs::path(value) : fs::path();
-}
-
 }  // namespace
 
 std::string hashOfKernel(const std::string& text) {
@@ -40,10 +35,8 @@ std::string hashOfKernel(const std::string& text) {
 }
 
 KernelCache KernelCache::ofUser() {
-  if (const fs::path base = absolute("XDG_CACHE_HOME"); !base.empty())
-    return KernelCache(base / "laver" / "kernels");
-  const fs::path home = absolute("HOME");
-  return KernelCache(home.empty() ? home : home / ".cache" / "laver" / "kernels");
+  const std::string folder = cacheFolder();
+  return KernelCache(folder.empty() ? fs::path() : fs::path(folder) / "kernels");
 }
 
 std::optional<Spirv> KernelCache::read(const std::string& hash) const {

@@ -4,13 +4,13 @@
 #include <sys/stat.h>
 
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <new>
 
 #include "core/atomic_file.h"
+#include "core/cache_folder.h"
 #include "core/error.h"
 #include "core/hash.h"
 
@@ -29,11 +29,6 @@ static_assert(sizeof(Preface) == 24);
 
 /// Larger caches are started anew.
 constexpr std::uint64_t kMaxBytes = std::uint64_t{64} << 20;
-
-std::string absolute(const char* variable) {
-  const char* value = std::getenv(variable);
-  return value != nullptr && value[0] == '/' ? value : "";
-}
 
 /// By the data's header (Vulkan, "Pipeline Cache Header"), which drivers need not check.
 bool isOf(const VkPhysicalDeviceProperties& device, std::span<const std::byte> data) {
@@ -71,12 +66,6 @@ std::vector<std::byte> contents(VkDevice device, VkPipelineCache cache) {
 }
 
 }  // namespace
-
-std::string cacheFolder() {
-  if (const std::string base = absolute("XDG_CACHE_HOME"); !base.empty()) return base + "/laver";
-  const std::string home = absolute("HOME");
-  return home.empty() ? "" : home + "/.cache/laver";
-}
 
 CacheFile::CacheFile(const std::string& folder, const VkPhysicalDeviceProperties& device)
     : device_(device) {

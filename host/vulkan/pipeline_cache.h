@@ -10,10 +10,6 @@
 
 namespace laver {
 
-/// The folder for files that may be lost: $XDG_CACHE_HOME/laver, ~/.cache/laver, or empty where
-/// neither variable holds an absolute path.
-std::string cacheFolder();
-
 /// A file that keeps a driver's pipeline cache from run to run. It may be lost, so nothing here
 /// fails: a file that is damaged, of another driver or out of reach counts as none.
 class CacheFile {

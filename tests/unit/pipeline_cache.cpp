@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/cache_folder.h"
 #include "support/temporary_folder.h"
 
 namespace laver::test {
