@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -8,7 +7,7 @@
 
 #include "commands/commands.h"
 #include "commands/options.h"
-#include "commands/standard_output.h"
+#include "commands/process.h"
 #include "show/view.h"
 
 namespace {
@@ -106,10 +105,7 @@ int dispatch(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // A closed pipe or a file beyond a limit is an error like any other, not the end of the process.
-  std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGXFSZ, SIG_IGN);
-  occupyStandardDescriptors();
+  prepareProcess();
   try {
     return dispatch(argc, argv);
   } catch (const Error& error) {

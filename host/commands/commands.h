@@ -10,7 +10,12 @@
 #include "scene/scene.h"
 #include "show/connection.h"
 
+// host/commands is laver's command line: each subcommand is a function run() in a file of its own.
+// What they share: scenes (scene_command.h), files of a render (output.h, resume.h), observers of a
+// render (observers.h), and the process (process.h).
 namespace laver {
+
+struct DeviceInfo;
 
 /// A scene and how it is to be rendered.
 struct SceneCommand {
@@ -79,11 +84,8 @@ ExitCode runDevices();
 /// `laver schema`.
 ExitCode runSchema(bool json);
 
-/// What a command changes in its scene. What is rendered beside the scene's picture asks for
-/// materials and lights too.
-SceneOverrides overridesOf(const SceneCommand& command);
-
-/// Throws Error(Usage) where a scene cannot be rendered with such options.
-void checkOptions(const SceneCommand& command, const Scene& scene);
+/// Aligned lines about a device: what it is, the limits laver depends on, and why it cannot be
+/// used, if it cannot. `isDefault` says whether laver takes it unasked.
+std::string describe(const DeviceInfo& device, std::size_t index, bool isDefault);
 
 }  // namespace laver

@@ -5,7 +5,8 @@
 #include <iostream>
 
 #include "commands/commands.h"
-#include "commands/standard_output.h"
+#include "commands/process.h"
+#include "commands/scene_command.h"
 #include "image/false_colour.h"
 #include "image/io.h"
 #include "lab/explain/explain.h"
@@ -37,9 +38,8 @@ void writeDifference(const CompareCommand& command, const Image& a, const Image&
 
 /// A difference that nothing explains is as bad as one beyond a tolerance.
 ExitCode explainScene(const CompareCommand& command) {
-  const LoadedScene loaded = loadScene(command.explain);
-  for (const auto& warning : loaded.warnings) std::cerr << warning << '\n';
-  const Explanation explanation = explain(loaded.scene, loaded.scene, command.vulkan);
+  const Scene scene = sceneOf(command.explain);
+  const Explanation explanation = explain(scene, scene, command.vulkan);
   std::cout << describe(explanation);
   flushStandardOutput();
   return explanation.unexplained() == 0 ? ExitCode::Ok : ExitCode::Different;

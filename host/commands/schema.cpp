@@ -1,7 +1,7 @@
 #include <iostream>
 
 #include "commands/commands.h"
-#include "commands/standard_output.h"
+#include "commands/process.h"
 #include "scene/schema_text.h"
 
 namespace laver {

@@ -93,6 +93,7 @@ Rendered Reference::render(const RenderOptions& options) const {
         parts.back().at(x, y, 0) = static_cast<float>(all.reached.samplesIn(y, wanted));
   }
   all.image = joined(std::move(parts));
+  observers.finished(all.image);
   return all;
 }
 
