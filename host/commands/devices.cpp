@@ -51,7 +51,7 @@ std::string describe(const DeviceInfo& device, std::size_t index, bool isDefault
   return text + row("memory heaps", heaps(device.memory));
 }
 
-ExitCode runDevices() {
+ExitCode run(const DevicesCommand& /*command*/) {
   const Instance instance(false);
   std::vector<DeviceInfo> devices;
   for (const VkPhysicalDevice device : instance.devices()) devices.push_back(deviceInfo(device));

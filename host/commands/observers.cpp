@@ -17,9 +17,7 @@ Progress::Progress(bool wanted) : active_(wanted && ::isatty(STDERR_FILENO) == 1
 
 Progress::~Progress() { wipe(); }
 
-void Progress::progress(double share, std::uint64_t /*samples*/) { show(share); }
-
-void Progress::show(double share) {
+void Progress::progress(double share, std::uint64_t /*samples*/) {
   const auto now = Clock::now();
   if (!active_ || now - last_ < std::chrono::milliseconds(100)) return;
   last_ = now;

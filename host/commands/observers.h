@@ -20,7 +20,6 @@ class Progress : public Observer {
 
   void progress(double share, std::uint64_t samples) override;
   void finished(const Image& /*picture*/) override { wipe(); }
-  void show(double share);
   /// Makes room for a line of something else.
   void wipe();
 

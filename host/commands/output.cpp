@@ -93,20 +93,17 @@ void writePictures(const std::filesystem::path& exr, const Image& image, const M
 }
 
 void writeStats(const RenderCommand& command, const Stats& stats) {
-  if (command.statsFile.empty()) {
-    if (command.stats) std::cerr << stats.text();
-    return;
-  }
+  if (command.stats == RenderCommand::kToStderr) std::cerr << stats.text();
+  if (command.stats.empty() || command.stats == RenderCommand::kToStderr) return;
   const std::string text = stats.json().dump(2) + '\n';
   std::error_code error;
-  const auto status = std::filesystem::status(command.statsFile, error);
+  const auto status = std::filesystem::status(command.stats, error);
   if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) {
-    replaceFile(command.statsFile, std::as_bytes(std::span(text)));
+    replaceFile(command.stats, std::as_bytes(std::span(text)));
     return;
   }
-  std::ofstream file(command.statsFile);  // such as a pipe
-  if (!(file << text).flush())
-    throw Error(ExitCode::Output, command.statsFile + ": cannot be written");
+  std::ofstream file(command.stats);  // such as a pipe
+  if (!(file << text).flush()) throw Error(ExitCode::Output, command.stats + ": cannot be written");
 }
 
 }  // namespace laver

@@ -6,8 +6,8 @@
 
 namespace laver {
 
-ExitCode runSchema(bool json) {
-  std::cout << (json ? schemaJson().dump(2) + '\n' : schemaText());
+ExitCode run(const SchemaCommand& command) {
+  std::cout << (command.json ? schemaJson().dump(2) + '\n' : schemaText());
   flushStandardOutput();
   return ExitCode::Ok;
 }
