@@ -112,7 +112,7 @@ void Measurement::finish(Series& series, std::size_t step, const Image& truth) {
   point.errors = errorsOf(image, truth);
   if (isJudged(series)) point.mismatches = judge(series, image);
   if (options_.say)
-    options_.say(fmt::format("{}, {:.4g} samples: {:.1f} ms, RMSE {:.3g}", series.name,
+    options_.say(fmt::format("{}, {:.4g} spp: {:.1f} ms, RMSE {:.3g}", series.name,
                              point.samples, quantile(point.passSeconds, 0.5) * 1e3,
                              point.errors.rmse));
 }
