@@ -27,6 +27,16 @@ void addDevice(CLI::App& app, VulkanOptions& vulkan) {
   app.add_option("--traversal", vulkan.traversal, "lane, packet, packet32 or packet64");
 }
 
+/// A name of the table, or a file of the user's own.
+Names<IntegratorUse> integratorNames() {
+  const auto find = [](const std::string& name) -> std::optional<IntegratorUse> {
+    if (name.ends_with(".glsl")) return userIntegrator(name);
+    const IntegratorRow* row = rowCalled(integratorRows(), name);
+    return row == nullptr ? std::nullopt : std::optional(IntegratorUse{row});
+  };
+  return {find, namesOf(integratorRows()) + ", or a file FILE.glsl of one's own"};
+}
+
 /// What replaces a part of the scene.
 void addOverrides(CLI::App& app, SceneCommand& command) {
   SceneOverrides& overrides = command.overrides;
@@ -34,14 +44,12 @@ void addOverrides(CLI::App& app, SceneCommand& command) {
       ->check(CLI::Range(1U, kMaxSamples));
   app.add_option("--seed", overrides.seed, "seed of the sampler");
   addSize(app, overrides.size, "size of the film in pixels");
-  const Names<const IntegratorRow*> integrators = namesIn(integratorRows());
+  const Names<IntegratorUse> integrators = integratorNames();
   addNames(app, "--integrator",
            integrators.all + "; further ones, after commas, go beside it as layers", integrators,
-           [&command](const std::vector<const IntegratorRow*>& rows) {
-             command.overrides.integrator = IntegratorUse{rows.front()};
-             command.options.more.clear();
-             for (std::size_t i = 1; i < rows.size(); ++i)
-               command.options.more.push_back(IntegratorUse{rows[i]});
+           [&command](const std::vector<IntegratorUse>& all) {
+             command.overrides.integrator = all.front();
+             command.options.more.assign(all.begin() + 1, all.end());
            });
   addName(app, "--sampler", "", namesIn(samplerRows()),
           [&overrides](const SamplerRow* row) { overrides.sampler = row; });

@@ -1,5 +1,8 @@
 #include "scene/integrators.h"
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
 
 namespace laver {
@@ -65,6 +68,24 @@ const IntegratorRow albedo{.name = "albedo",
                            .radiance = reference::albedo};
 
 }  // namespace integrators
+
+std::optional<IntegratorUse> userIntegrator(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return {};
+  auto user = std::make_shared<UserIntegrator>();
+  user->name = std::filesystem::path(file).stem().string();
+  user->file = file;
+  user->text.assign(std::istreambuf_iterator<char>(in), {});
+  user->row.name = user->row.object = user->name.c_str();
+  user->row.needs = {.normals = true,
+                     .materials = true,
+                     .lights = true,
+                     .background = true,
+                     .numbers = true};
+  IntegratorUse use{&user->row};
+  use.user = std::move(user);
+  return use;
+}
 
 const Rows<IntegratorRow>& integratorRows() {
   using namespace integrators;

@@ -1,0 +1,38 @@
+#include "scene/bsdfs.h"
+
+namespace laver {
+
+// host/reference/bsdf/NAME.cpp
+namespace reference {
+glm::dvec3 diffuseEval(const BsdfPoint& point, glm::dvec3 wi, glm::dvec3 wo);
+double diffusePdf(const BsdfPoint& point, glm::dvec3 wi, glm::dvec3 wo);
+BsdfSample diffuseSample(const BsdfPoint& point, glm::dvec3 wi, glm::dvec2 numbers);
+}  // namespace reference
+
+namespace bsdfs {
+
+const BsdfRow diffuse{.name = "diffuse",
+                      .object = "Diffuse",
+                      .properties = {{.name = "albedo",
+                                      .type = PropertyType::Color,
+                                      .start = glm::dvec3(0.5),
+                                      .meaning = "share of the light that is reflected"}},
+                      .eval = reference::diffuseEval,
+                      .pdf = reference::diffusePdf,
+                      .sample = reference::diffuseSample};
+
+}  // namespace bsdfs
+
+const Rows<BsdfRow>& bsdfRows() {
+  static const Rows<BsdfRow> rows = {&bsdfs::diffuse};
+  return rows;
+}
+
+std::vector<double> numbersOf(const Bsdf& bsdf) {
+  std::vector<double> numbers;
+  for (const PropertyRow& property : bsdf.row->properties)
+    if (property.type == PropertyType::Float) numbers.push_back(bsdf.real(property.name));
+  return numbers;
+}
+
+}  // namespace laver
