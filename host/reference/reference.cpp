@@ -1,5 +1,6 @@
 #include "reference/reference.h"
 
+#include "core/error.h"
 #include "core/parallel.h"
 #include "reference/camera.h"
 #include "reference/film.h"
