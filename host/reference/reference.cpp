@@ -53,18 +53,6 @@ std::optional<Reference::Hit> Reference::closest(glm::dvec2 film) const {
   return result;
 }
 
-bool Reference::decided(glm::dvec2 film, double delta, double tolerance, glm::dvec2 numbers) const {
-  const glm::dvec3 centre = radiance(film, numbers);
-  for (int y = -1; y <= 1; ++y) {
-    for (int x = -1; x <= 1; ++x) {
-      if (x == 0 && y == 0) continue;
-      const glm::dvec3 away = glm::abs(radiance(film + delta * glm::dvec2(x, y), numbers) - centre);
-      if (!(away.x <= tolerance && away.y <= tolerance && away.z <= tolerance)) return false;
-    }
-  }
-  return true;
-}
-
 glm::vec2 Reference::samplePosition(int x, int y, std::uint32_t sample) const {
   return reference::samplePosition(impl_->scene.camera, impl_->scene.sampler, x, y, sample);
 }
