@@ -81,6 +81,7 @@ struct DevicesCommand {};
 
 /// `laver schema`.
 struct SchemaCommand {
+  bool markdown = false;
   bool json = false;
 };
 

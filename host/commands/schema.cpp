@@ -7,7 +7,9 @@
 namespace laver {
 
 ExitCode run(const SchemaCommand& command) {
-  std::cout << (command.json ? schemaJson().dump(2) + '\n' : schemaText());
+  std::cout << (command.json       ? schemaJson().dump(2) + '\n'
+                : command.markdown ? schemaMarkdown()
+                                   : schemaText());
   flushStandardOutput();
   return ExitCode::Ok;
 }

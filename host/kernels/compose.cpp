@@ -147,8 +147,8 @@ void expand(std::string_view text, std::string name, std::set<std::string>& seen
     const std::string_view rest = line.substr(kInclude.size());
     const std::string path(rest.substr(0, rest.find('"')));
     if (shaderText(path).empty())
-      throw Error(ExitCode::Scene,
-                  fmt::format("{}:{}: error: laver has no file \"{}\" to include", name, number, path));
+      throw Error(ExitCode::Scene, fmt::format("{}:{}: error: laver has no file \"{}\" to include",
+                                               name, number, path));
     if (seen.insert(path).second) {
       out += fmt::format("#line 1 \"{}\"\n", path);
       expand(shaderText(path), path, seen, out);

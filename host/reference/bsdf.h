@@ -18,8 +18,8 @@ struct BsdfSample {
   glm::dvec3 weight;
 };
 
-/// Fresnel reflectance of unpolarised light at a dielectric (Born and Wolf, "Principles of Optics", 1.5),
-/// by the cosine to the normal: above 0 from the side with index `outside`.
+/// Fresnel reflectance of unpolarised light at a dielectric (Born and Wolf, "Principles of
+/// Optics", 1.5), by the cosine to the normal: above 0 from the side with index `outside`.
 double fresnel(double cosine, double outside, double inside);
 
 }  // namespace laver::reference

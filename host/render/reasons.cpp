@@ -271,9 +271,9 @@ std::vector<Reason> reasonsOf(const Scene& scene, const RenderOptions& options,
   const Facts f(scene, options, choices);
   std::vector<Reason> reasons = {integrator(f),
                                  {"traversal", traversalName(choices.traversal), traversal, "", 0}};
-  for (const auto reason :
-       {rays, spheres, normals, materials, materialBsdfs, textures, images, background, uvs, indices,
-        lights, shadowRays, sampler, samplerTables, filter, film, adaptive, sideBySide, passes})
+  for (const auto reason : {rays, spheres, normals, materials, materialBsdfs, textures, images,
+                            background, uvs, indices, lights, shadowRays, sampler, samplerTables,
+                            filter, film, adaptive, sideBySide, passes})
     reasons.push_back(reason(f));
   return reasons;
 }

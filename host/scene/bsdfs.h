@@ -15,14 +15,14 @@ struct BsdfPoint;
 struct BsdfSample;
 }  // namespace reference
 
-/// A BSDF. Its kernel's part is shaders/bsdf/NAME.glsl. Directions point away from the surface: wi to
-/// where the light goes, wo to where it comes from.
+/// A BSDF. Its kernel's part is shaders/bsdf/NAME.glsl. Directions point away from the surface: wi
+/// to where the light goes, wo to where it comes from.
 struct BsdfRow {
-  const char* name;                        ///< in scenes
-  std::vector<const char*> spellings{};    ///< other names in scenes
-  const char* object = "";                 ///< Nori's class, in the dump
-  std::vector<PropertyRow> properties{};   ///< one colour at most, and up to four floats
-  bool delta = false;                      ///< reflects in single directions: eval and pdf are 0
+  const char* name;                       ///< in scenes
+  std::vector<const char*> spellings{};   ///< other names in scenes
+  const char* object = "";                ///< Nori's class, in the dump
+  std::vector<PropertyRow> properties{};  ///< one colour at most, and up to four floats
+  bool delta = false;                     ///< reflects in single directions: eval and pdf are 0
   /// The BSDF for two unit directions.
   glm::dvec3 (*eval)(const reference::BsdfPoint& point, glm::dvec3 wi, glm::dvec3 wo) = nullptr;
   /// Density of sample()'s directions per solid angle.

@@ -77,11 +77,8 @@ std::optional<IntegratorUse> userIntegrator(const std::string& file) {
   user->file = file;
   user->text.assign(std::istreambuf_iterator<char>(in), {});
   user->row.name = user->row.object = user->name.c_str();
-  user->row.needs = {.normals = true,
-                     .materials = true,
-                     .lights = true,
-                     .background = true,
-                     .numbers = true};
+  user->row.needs = {
+      .normals = true, .materials = true, .lights = true, .background = true, .numbers = true};
   IntegratorUse use{&user->row};
   use.user = std::move(user);
   return use;

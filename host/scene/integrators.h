@@ -72,8 +72,8 @@ struct IntegratorUse {
   bool operator==(const IntegratorUse& other) const { return row == other.row; }
 };
 
-/// An integrator in a GLSL file of the user's own. Nothing is known of it: it is given all that a scene
-/// has, and no pixel is skipped.
+/// An integrator in a GLSL file of the user's own. Nothing is known of it: it is given all that a
+/// scene has, and no pixel is skipped.
 struct UserIntegrator {
   std::string name, file, text;
   IntegratorRow row;

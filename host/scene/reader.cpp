@@ -238,16 +238,18 @@ bool Reader::readUserIntegrator(pugi::xml_node node, const char* type) {
     if (!isElement(child)) continue;
     const PropertyType* property = findPropertyType(child.name());
     const std::string name = child.attribute("name").value();
-    const bool named = !name.empty() && name.find_first_not_of(kNameCharacters) == std::string::npos;
+    const bool named =
+        !name.empty() && name.find_first_not_of(kNameCharacters) == std::string::npos;
     if (property == nullptr || *property == PropertyType::String ||
         *property == PropertyType::Transform || !named) {
-      diagnostics_.error(at(child),
-                         fmt::format("{} takes numbers, booleans, points, vectors and colours whose "
-                                     "names are letters, digits and _",
-                                     inQuotes(use->user->file)));
+      diagnostics_.error(
+          at(child), fmt::format("{} takes numbers, booleans, points, vectors and colours whose "
+                                 "names are letters, digits and _",
+                                 inQuotes(use->user->file)));
       continue;
     }
-    if (const auto value = readValue(child, *property, *property)) setValue(use->values, name, *value);
+    if (const auto value = readValue(child, *property, *property))
+      setValue(use->values, name, *value);
   }
   draft_.scene.fileIntegrator = *use;
   if (!draft_.overrides.integrator) draft_.scene.integrator = *use;

@@ -52,8 +52,9 @@ TEST_F(OwnIntegrator, OnTheCommandLineStandsForTheScenes) {
 }
 
 TEST_F(OwnIntegrator, AnErrorNamesItsFileAndLine) {
-  write("mine.glsl", "\nvoid integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {\n"
-                     "  radiance[0] = vec3(nonsense);\n}\n");
+  write("mine.glsl",
+        "\nvoid integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {\n"
+        "  radiance[0] = vec3(nonsense);\n}\n");
   const Outcome run = render();
   EXPECT_EQ(run.code, 3);
   EXPECT_EQ(run.err.find("mine.glsl:3: error: "), 0U) << run.err;

@@ -89,8 +89,8 @@ TEST_P(SampleBsdf, OfTheDeviceIsItsTwins) {
     const reference::BsdfSample truth =
         bsdf.row->sample(point, wi, {static_cast<double>(input[i][0].w), input[i][1].x});
     const glm::dvec3 wo(output[i].woAndPdf);
-    // Some tens of roundings of numbers of about 1: 2^-24 each. A choice may fall the other way where a
-    // number equals a probability to rounding.
+    // Some tens of roundings of numbers of about 1: 2^-24 each. A choice may fall the other way
+    // where a number equals a probability to rounding.
     if (glm::length(wo - truth.wo) > 1e-5) {
       ++other;
       continue;

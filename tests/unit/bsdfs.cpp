@@ -58,16 +58,15 @@ TEST_P(Bsdfs, ReflectNoMoreThanArrives) {
 
 TEST_P(Bsdfs, DensitiesAreThoseOfTheSamples) {
   if (bsdf_.row->delta) return;  // ADeltaDistributionHasNoValueAndNoDensity
-  // Chi-squared over 8 x 8 cells of equal solid angle, 63 degrees of freedom: beyond 110 by chance once
-  // in 4000 seeds.
+  // Chi-squared over 8 x 8 cells of equal solid angle, 63 degrees of freedom: beyond 110 by chance
+  // once in 4000 seeds.
   std::mt19937 engine(11);
   std::uniform_real_distribution<double> number(0.0, 1.0);
   constexpr int kCells = 8, kDrawn = 65536;
   const glm::dvec3 wi = direction(0.6, 0.4);
   std::array<double, kCells * kCells> seen{}, expected{};
   for (int i = 0; i < kDrawn; ++i) {
-    const glm::dvec3 wo =
-        bsdf_.row->sample(point(), wi, {number(engine), number(engine)}).wo;
+    const glm::dvec3 wo = bsdf_.row->sample(point(), wi, {number(engine), number(engine)}).wo;
     const int row = std::min(static_cast<int>(wo.z * kCells), kCells - 1);
     const double turn = std::atan2(wo.y, wo.x) / (2.0 * kPi) + 0.5;
     const int column = std::min(static_cast<int>(turn * kCells), kCells - 1);

@@ -6,7 +6,7 @@
 #include "bvh/walk.h"
 #include "unit/bvh_soup.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
 
 const auto kAll = [](const shared::Child&) { return true; };
@@ -46,4 +46,4 @@ TEST(BvhWalk, EndsWhereAVisitSaysSo) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

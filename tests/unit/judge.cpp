@@ -11,8 +11,8 @@ namespace {
 
 using glm::dvec2;
 
-/// A square of half-width 1 at z = 4, seen from 0, with an edge at film position 96 of 128. Its half
-/// up to 64 lies in the shadow of another square, which is not seen.
+/// A square of half-width 1 at z = 4, seen from 0, with an edge at film position 96 of 128. Its
+/// half up to 64 lies in the shadow of another square, which is not seen.
 Scene halfLitSquare() {
   const auto square = [](double x0, double x1, double z) {
     Mesh mesh;

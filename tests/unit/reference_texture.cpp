@@ -23,11 +23,11 @@ Bsdf showing(std::shared_ptr<const Picture> picture) {
   texture.kind = Texture::Kind::Image;
   texture.colors.fill(dvec3(1.0));
   texture.image = std::move(picture);
-  return {dvec3(0.5), texture};
+  return {.albedo = dvec3(0.5), .texture = texture};
 }
 
 TEST(ReferenceTexture, NoTextureIsTheAlbedo) {
-  EXPECT_EQ(albedoAt({dvec3(0.1, 0.2, 0.3), {}}, {7, 8}), dvec3(0.1, 0.2, 0.3));
+  EXPECT_EQ(albedoAt({.albedo = dvec3(0.1, 0.2, 0.3)}, {7, 8}), dvec3(0.1, 0.2, 0.3));
 }
 
 TEST(ReferenceTexture, TheRowsOfAPictureGoDown) {

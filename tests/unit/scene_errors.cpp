@@ -1,4 +1,6 @@
 // Every fault of a scene file, with the exact message.
+#include "scene/schema.h"
+#include "scene/suggest.h"
 #include "support/scene_files.h"
 
 namespace laver::test {
@@ -221,8 +223,6 @@ const std::vector<Case> kLacking = {
     {"cylinder", scene("<mesh type=\"cylinder\"><point name=\"p0\" value=\"0 0 0\"/></mesh>"),
      "f.xml:2:2: error: laver has no mesh of type \"cylinder\": expected \"obj\" or \"sphere\" "
      "(nearest: \"sphere\")"},
-    {"bsdf", scene(mesh("\n<bsdf type=\"disney\"/>"), "direct_whitted"),
-     "f.xml:3:2: error: laver has no bsdf of type \"disney\": expected \"diffuse\""},
     {"area_light", scene(mesh("\n<emitter type=\"area\"/>"), "direct_whitted"),
      "f.xml:3:2: error: laver has no emitter of type \"area\": expected \"pointlight\", "
      "\"point\", \"environment\", \"envmap\" or \"constant\" (nearest: \"point\")"},
@@ -244,6 +244,12 @@ INSTANTIATE_TEST_SUITE_P(Structure, SceneErrors, testing::ValuesIn(kStructure), 
 INSTANTIATE_TEST_SUITE_P(Values, SceneErrors, testing::ValuesIn(kValues), kName);
 INSTANTIATE_TEST_SUITE_P(Transforms, SceneErrors, testing::ValuesIn(kTransforms), kName);
 INSTANTIATE_TEST_SUITE_P(Lacking, SceneErrors, testing::ValuesIn(kLacking), kName);
+
+TEST(SceneErrors, AnUnknownBsdfNamesThoseOfTheTable) {
+  EXPECT_EQ(SceneFiles().errors(scene(mesh("\n<bsdf type=\"disney\"/>"), "direct_whitted")),
+            "f.xml:3:2: error: laver has no bsdf of type \"disney\": expected " +
+                xml::expectedNames("disney", xml::knownTypes("bsdf")));
+}
 
 }  // namespace
 }  // namespace laver::test
