@@ -7,6 +7,9 @@ namespace reference {
 glm::dvec3 diffuseEval(const BsdfPoint& point, glm::dvec3 wi, glm::dvec3 wo);
 double diffusePdf(const BsdfPoint& point, glm::dvec3 wi, glm::dvec3 wo);
 BsdfSample diffuseSample(const BsdfPoint& point, glm::dvec3 wi, glm::dvec2 numbers);
+glm::dvec3 mirrorEval(const BsdfPoint& point, glm::dvec3 wi, glm::dvec3 wo);
+double mirrorPdf(const BsdfPoint& point, glm::dvec3 wi, glm::dvec3 wo);
+BsdfSample mirrorSample(const BsdfPoint& point, glm::dvec3 wi, glm::dvec2 numbers);
 }  // namespace reference
 
 namespace bsdfs {
@@ -21,10 +24,17 @@ const BsdfRow diffuse{.name = "diffuse",
                       .pdf = reference::diffusePdf,
                       .sample = reference::diffuseSample};
 
+static const BsdfRow mirror{.name = "mirror",
+                            .object = "Mirror",
+                            .delta = true,
+                            .eval = reference::mirrorEval,
+                            .pdf = reference::mirrorPdf,
+                            .sample = reference::mirrorSample};
+
 }  // namespace bsdfs
 
 const Rows<BsdfRow>& bsdfRows() {
-  static const Rows<BsdfRow> rows = {&bsdfs::diffuse};
+  static const Rows<BsdfRow> rows = {&bsdfs::diffuse, &bsdfs::mirror};
   return rows;
 }
 
