@@ -10,6 +10,9 @@ BsdfSample diffuseSample(const BsdfPoint& point, glm::dvec3 wi, glm::dvec2 numbe
 glm::dvec3 mirrorEval(const BsdfPoint& point, glm::dvec3 wi, glm::dvec3 wo);
 double mirrorPdf(const BsdfPoint& point, glm::dvec3 wi, glm::dvec3 wo);
 BsdfSample mirrorSample(const BsdfPoint& point, glm::dvec3 wi, glm::dvec2 numbers);
+glm::dvec3 dielectricEval(const BsdfPoint& point, glm::dvec3 wi, glm::dvec3 wo);
+double dielectricPdf(const BsdfPoint& point, glm::dvec3 wi, glm::dvec3 wo);
+BsdfSample dielectricSample(const BsdfPoint& point, glm::dvec3 wi, glm::dvec2 numbers);
 }  // namespace reference
 
 namespace bsdfs {
@@ -31,10 +34,27 @@ static const BsdfRow mirror{.name = "mirror",
                             .pdf = reference::mirrorPdf,
                             .sample = reference::mirrorSample};
 
+static const BsdfRow dielectric{.name = "dielectric",
+                                .object = "Dielectric",
+                                .properties = {{.name = "intIOR",
+                                                .type = PropertyType::Float,
+                                                .start = 1.5046,
+                                                .range = moreThan(0.0),
+                                                .meaning = "index of refraction inside"},
+                                               {.name = "extIOR",
+                                                .type = PropertyType::Float,
+                                                .start = 1.000277,
+                                                .range = moreThan(0.0),
+                                                .meaning = "index of refraction outside"}},
+                                .delta = true,
+                                .eval = reference::dielectricEval,
+                                .pdf = reference::dielectricPdf,
+                                .sample = reference::dielectricSample};
+
 }  // namespace bsdfs
 
 const Rows<BsdfRow>& bsdfRows() {
-  static const Rows<BsdfRow> rows = {&bsdfs::diffuse, &bsdfs::mirror};
+  static const Rows<BsdfRow> rows = {&bsdfs::diffuse, &bsdfs::mirror, &bsdfs::dielectric};
   return rows;
 }
 
