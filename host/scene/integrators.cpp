@@ -16,6 +16,7 @@ glm::dvec3 averageVisibility(const CameraSample& sample);
 glm::dvec3 ambientOcclusion(const CameraSample& sample);
 glm::dvec3 shadingNormal(const CameraSample& sample);
 glm::dvec3 albedo(const CameraSample& sample);
+glm::dvec3 geometricNormals(const CameraSample& sample);
 }  // namespace reference
 
 namespace integrators {
@@ -67,6 +68,11 @@ const IntegratorRow albedo{.name = "albedo",
                            .miss = Miss::Black,
                            .radiance = reference::albedo};
 
+static const IntegratorRow geometricNormals{.name = "geometric_normals",
+                                            .object = "GeometricNormalIntegrator",
+                                            .miss = Miss::Black,
+                                            .radiance = reference::geometricNormals};
+
 }  // namespace integrators
 
 std::optional<IntegratorUse> userIntegrator(const std::string& file) {
@@ -86,8 +92,8 @@ std::optional<IntegratorUse> userIntegrator(const std::string& file) {
 
 const Rows<IntegratorRow>& integratorRows() {
   using namespace integrators;
-  static const Rows<IntegratorRow> rows = {&normals, &directWhitted, &depth, &averageVisibility,
-                                           &ambientOcclusion};
+  static const Rows<IntegratorRow> rows = {
+      &normals, &directWhitted, &depth, &averageVisibility, &ambientOcclusion, &geometricNormals};
   return rows;
 }
 

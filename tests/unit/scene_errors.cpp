@@ -59,7 +59,7 @@ const std::vector<Case> kStructure = {
      "f.xml:2:14: error: bad XML: a comment does not end, expected \"-->\""},
     {"no_integrator", "<scene/>",
      "f.xml:1:2: error: <scene> needs an <integrator>: expected type \"normals\", "
-     "\"direct_whitted\", \"depth\", \"av\" or \"ao\""},
+     "\"direct_whitted\", \"depth\", \"av\", \"ao\" or \"geometric_normals\""},
     {"second_integrator", scene("<integrator type=\"depth\"/>"),
      "f.xml:2:2: error: a second <integrator> in <scene>, expected one: the first is in line 1"},
     {"second_camera", scene("<camera type=\"perspective\"/>\n <camera type=\"perspective\"/>"),
@@ -211,7 +211,8 @@ const std::vector<Case> kTransforms = {
 const std::vector<Case> kLacking = {
     {"integrator", scene("", "path_mis"),
      "f.xml:1:9: error: laver has no integrator of type \"path_mis\": expected \"normals\", "
-     "\"direct_whitted\", \"depth\", \"av\" or \"ao\" (nearest: \"normals\")"},
+     "\"direct_whitted\", \"depth\", \"av\", \"ao\" or \"geometric_normals\" (nearest: "
+     "\"normals\")"},
     {"camera", scene("<camera type=\"thinlens\"/>"),
      "f.xml:2:2: error: laver has no camera of type \"thinlens\": expected \"perspective\""},
     {"sampler", scene("<sampler type=\"halton\"/>"),

@@ -104,7 +104,8 @@ TEST(SceneOverride, IntegratorMakesAnotherAWarningAndLightsUnneeded) {
   const std::string xml = scene(mesh("\n<bsdf type=\"disney\"/>"), "path_mis");
   EXPECT_EQ(files.warnings(xml, with(integrators::normals)),
             "f.xml:1:9: warning: laver has no integrator of type \"path_mis\": expected "
-            "\"normals\", \"direct_whitted\", \"depth\", \"av\" or \"ao\" (nearest: \"normals\"); "
+            "\"normals\", \"direct_whitted\", \"depth\", \"av\", \"ao\" or \"geometric_normals\" "
+            "(nearest: \"normals\"); "
             "ignored, "
             "integrator \"normals\" does not need it\n"
             "f.xml:3:2: warning: laver has no bsdf of type \"disney\": expected " +
