@@ -69,9 +69,14 @@ void addName(CLI::App& app, const std::string& option, const std::string& meanin
 template <class T, class Take>
 void addNames(CLI::App& app, const std::string& option, const std::string& meaning,
               const Names<T>& names, Take take) {
-  const auto read = [=](const std::vector<std::string>& given) {
+  const auto read = [=](const std::string& given) {
     std::vector<T> all;
-    for (const std::string& name : given) {
+    for (std::size_t start = 0; start <= given.size();) {
+      const std::size_t end = std::min(given.find(',', start), given.size());
+      std::string name = given.substr(start, end - start);
+      start = end + 1;
+      if (const std::string wrong = isOneOf(names)(name); !wrong.empty())
+        throw CLI::ValidationError(option, wrong);
       const T one = *names.find(name);
       if (std::find(all.begin(), all.end(), one) != all.end())
         throw CLI::ValidationError(option, name + " is named twice");
@@ -79,11 +84,7 @@ void addNames(CLI::App& app, const std::string& option, const std::string& meani
     }
     take(all);
   };
-  app.add_option_function<std::vector<std::string>>(option, read, meaning)
-      ->delimiter(',')
-      ->check(isOneOf(names))
-      ->allow_extra_args(false)
-      ->option_text("NAME,...");
+  app.add_option_function<std::string>(option, read, meaning)->option_text("NAME,...");
 }
 
 inline void addSize(CLI::App& app, std::optional<glm::ivec2>& size, const std::string& meaning) {

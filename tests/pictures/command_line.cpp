@@ -146,7 +146,7 @@ TEST_F(CommandLine, ExplainsAScene) {
         "</mesh></scene>");
   const Outcome run = laver("explain test.xml --device $device");
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_NE(run.out.find("other triangle: 0"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("other hit: 0"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("unexplained: 0\n"), std::string::npos) << run.out;
   const Outcome none = laver("explain none.xml");
   EXPECT_EQ(none.code, 3);

@@ -83,7 +83,8 @@ TEST(Cli, ErrorsSayWhatWasExpected) {
   EXPECT_EQ(errorOf("a.xml --sampler halton"),
             "--sampler: expected independent, stratified or sobol, not \"halton\"");
   EXPECT_EQ(errorOf("a.xml --integrator depth,halton"),
-            "--integrator: expected " + namesOf(integratorRows()) + ", not \"halton\"");
+            "--integrator: expected " + namesOf(integratorRows()) +
+                ", or a file FILE.glsl of one's own, not \"halton\"");
   EXPECT_EQ(errorOf("a.xml --layers id,id"), "--layers: id is named twice");
   EXPECT_EQ(errorOf("a.xml --display-server x:y"),
             "--display-server x:y: expected HOST:PORT or [IPV6]:PORT");

@@ -247,7 +247,9 @@ INSTANTIATE_TEST_SUITE_P(Transforms, SceneErrors, testing::ValuesIn(kTransforms)
 INSTANTIATE_TEST_SUITE_P(Lacking, SceneErrors, testing::ValuesIn(kLacking), kName);
 
 TEST(SceneErrors, AnUnknownBsdfNamesThoseOfTheTable) {
-  EXPECT_EQ(SceneFiles().errors(scene(mesh("\n<bsdf type=\"disney\"/>"), "direct_whitted")),
+  const SceneFiles files;
+  files.write("t.obj", kTriangle);
+  EXPECT_EQ(files.errors(scene(mesh("\n<bsdf type=\"disney\"/>"), "direct_whitted")),
             "f.xml:3:2: error: laver has no bsdf of type \"disney\": expected " +
                 xml::expectedNames("disney", xml::knownTypes("bsdf")));
 }
