@@ -1,4 +1,4 @@
-# Debian 12's packages; cmake/bootstrap.sh installs them.
+# Packages of Debian 12 and 13; cmake/bootstrap.sh installs them.
 find_package(Threads REQUIRED)
 find_package(Vulkan REQUIRED)
 find_package(glm REQUIRED)

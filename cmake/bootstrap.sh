@@ -1,5 +1,5 @@
 #!/bin/sh
-# From a bare Debian 12 to a picture, a test run or all checks:
+# From a bare Debian 12 or 13 to a picture, a test run or all checks:
 #   sh cmake/bootstrap.sh build|render|test|check
 set -eu
 
@@ -7,11 +7,12 @@ root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 build=$root/build
 
 packages='
-  ca-certificates cmake fonts-dejavu-core g++ glmark2-data glslang-tools libcairo2-dev libcli11-dev
-  libdeflate-dev libembree-dev libfmt-dev libgl1-mesa-dri libglfw3-dev libglm-dev libgtest-dev libimgui-dev libjpeg62-turbo-dev
-  libopenexr-dev libpng-dev libpugixml-dev libtinyobjloader-dev libvulkan-dev libvulkan-volk-dev
-  libvulkan1 libx11-dev mesa-vulkan-drivers ninja-build nlohmann-json3-dev pkgconf spirv-tools
-  vulkan-validationlayers xvfb'
+  ca-certificates cmake fonts-dejavu-core g++ glmark2-data glslang-dev glslang-tools libcairo2-dev
+  libcli11-dev libdeflate-dev libembree-dev libfmt-dev libgl1-mesa-dri libglfw3-dev libglm-dev
+  libgtest-dev libimgui-dev libjpeg62-turbo-dev libopenexr-dev libpng-dev libpugixml-dev
+  libtinyobjloader-dev libvulkan-dev libvulkan-volk-dev libvulkan1 libx11-dev libxxhash-dev
+  mesa-vulkan-drivers ninja-build nlohmann-json3-dev pkgconf spirv-tools vulkan-validationlayers
+  xvfb'
 checkPackages='clang clang-format clang-tidy dpkg-dev file gcovr libclang-rt-dev'
 
 usage() {

@@ -10,9 +10,9 @@
 #include <sstream>
 
 #include "commands/commands.h"
-#include "commands/interruption.h"
-#include "commands/progress.h"
-#include "commands/standard_output.h"
+#include "commands/observers.h"
+#include "commands/process.h"
+#include "commands/scene_command.h"
 
 namespace laver {
 namespace {
@@ -51,15 +51,14 @@ glm::ivec2 defaultSize(const Camera& camera) {
 ExitCode run(const ChartCommand& command) {
   Interruption interruption;
   Progress progress(!command.quiet);
-  const LoadedScene loaded = loadScene(command.scene);
-  for (const auto& warning : loaded.warnings) std::cerr << warning << '\n';
+  const Scene scene = sceneOf(command.scene);
   chart::Options options;
   options.scene = command.scene;
   options.folder =
       command.out.empty()
           ? std::filesystem::path(command.scene).replace_extension("").string() + "-chart"
           : command.out;
-  options.size = command.size.value_or(defaultSize(loaded.scene.camera));
+  options.size = command.size.value_or(defaultSize(scene.camera));
   if (options.size.x < 1 || options.size.y < 1)
     throw Error(ExitCode::Usage, "--size: expected a film of one pixel or more");
   options.device = command.device;

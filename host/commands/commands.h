@@ -10,7 +10,13 @@
 #include "scene/scene.h"
 #include "show/connection.h"
 
+// host/commands is laver's command line: cli.h turns arguments into one of the structs below, and
+// each subcommand is a function run() in a file of its own, which the rest of the host knows
+// nothing of. What they share: scenes (scene_command.h), files of a render (output.h, resume.h),
+// observers of a render (observers.h), and the process (process.h).
 namespace laver {
+
+struct DeviceInfo;
 
 /// A scene and how it is to be rendered.
 struct SceneCommand {
@@ -25,11 +31,12 @@ struct RenderCommand : SceneCommand {
   std::string output;  ///< EXR; empty: beside the scene
   bool reference = false;
   bool resume = false;  ///< keep the sums and go on from those that are there
-  bool stats = false;
-  std::string statsFile;
+  std::string stats;    ///< file of figures; kToStderr: standard error; empty: none
   bool quiet = false;
   bool gui = false;                            ///< show the picture in a window
   std::optional<ViewerAddress> displayServer;  ///< of a viewer that shows the picture grow
+
+  static constexpr const char* kToStderr = "-";
 };
 
 /// `laver plan SCENE.xml`.
@@ -37,15 +44,18 @@ struct PlanCommand : SceneCommand {
   bool json = false;
 };
 
-/// `laver compare A.exr B.exr`, or `laver compare --explain SCENE.xml`.
+/// `laver compare A.exr B.exr`.
 struct CompareCommand {
   std::string a, b;
-  double tolerance = 0.0;
-  bool judged = false;         ///< a tolerance was given: beyond it is ExitCode::Different
-  std::string metric = "max";  ///< what the tolerance bounds: max, p999, rmse or relmse
-  std::string out;             ///< folder for pictures of the difference; empty: none
-  std::string explain;         ///< a scene to render and hold against the reference; empty: none
-  VulkanOptions vulkan;        ///< for `explain`
+  std::optional<double> tolerance;  ///< beyond it is ExitCode::Different
+  std::string metric = "max";       ///< what the tolerance bounds: max, p999, rmse or relmse
+  std::string out;                  ///< folder for pictures of the difference; empty: none
+};
+
+/// `laver explain SCENE.xml`.
+struct ExplainCommand {
+  std::string scene;
+  VulkanOptions vulkan;
 };
 
 /// `laver view A.exr B.exr`.
@@ -66,24 +76,35 @@ struct ChartCommand {
   bool quiet = false;
 };
 
+/// `laver devices`.
+struct DevicesCommand {};
+
+/// `laver schema`.
+struct SchemaCommand {
+  bool markdown = false;
+  bool json = false;
+};
+
+/// `laver --help` and `laver --version`: a text to print.
+struct HelpCommand {
+  std::string text;
+};
+
 /// Throws what it cannot do; an interrupted render throws Error(Interrupted) or Error(Terminated)
 /// after what there is has been written under another name.
 ExitCode run(const RenderCommand& command);
+ExitCode run(const PlanCommand& command);
 ExitCode run(const CompareCommand& command);
+ExitCode run(const ExplainCommand& command);
 /// Throws Error(Device) where there can be no window.
 ExitCode run(const ViewCommand& command);
 ExitCode run(const ChartCommand& command);
-ExitCode run(const PlanCommand& command);
-/// `laver devices`.
-ExitCode runDevices();
-/// `laver schema`.
-ExitCode runSchema(bool json);
+ExitCode run(const DevicesCommand& command);
+ExitCode run(const SchemaCommand& command);
+ExitCode run(const HelpCommand& command);
 
-/// What a command changes in its scene. What is rendered beside the scene's picture asks for
-/// materials and lights too.
-SceneOverrides overridesOf(const SceneCommand& command);
-
-/// Throws Error(Usage) where a scene cannot be rendered with such options.
-void checkOptions(const SceneCommand& command, const Scene& scene);
+/// Aligned lines about a device: what it is, the limits laver depends on, and why it cannot be
+/// used, if it cannot. `isDefault` says whether laver takes it unasked.
+std::string describe(const DeviceInfo& device, std::size_t index, bool isDefault);
 
 }  // namespace laver

@@ -5,10 +5,9 @@
 #include <iostream>
 
 #include "commands/commands.h"
-#include "commands/standard_output.h"
+#include "commands/process.h"
 #include "image/false_colour.h"
 #include "image/io.h"
-#include "lab/explain/explain.h"
 
 namespace laver {
 namespace {
@@ -35,30 +34,20 @@ void writeDifference(const CompareCommand& command, const Image& a, const Image&
            drawDistances(largestDistances(a, b), a.width, a.height));
 }
 
-/// A difference that nothing explains is as bad as one beyond a tolerance.
-ExitCode explainScene(const CompareCommand& command) {
-  const LoadedScene loaded = loadScene(command.explain);
-  for (const auto& warning : loaded.warnings) std::cerr << warning << '\n';
-  const Explanation explanation = explain(loaded.scene, loaded.scene, command.vulkan);
-  std::cout << describe(explanation);
-  flushStandardOutput();
-  return explanation.unexplained() == 0 ? ExitCode::Ok : ExitCode::Different;
-}
-
 }  // namespace
 
 ExitCode run(const CompareCommand& command) {
-  if (!command.explain.empty()) return explainScene(command);
   const Image a = readExr(command.a);
   const Image b = readExr(command.b);
-  const auto differences = compare(a, b, command.tolerance);
-  std::cout << describe(differences, command.tolerance);
+  const double tolerance = command.tolerance.value_or(0.0);
+  const auto differences = compare(a, b, tolerance);
+  std::cout << describe(differences, tolerance);
   flushStandardOutput();
   if (!command.out.empty()) writeDifference(command, a, b);
-  if (!command.judged) return ExitCode::Ok;
+  if (!command.tolerance) return ExitCode::Ok;
   // Written so that NaN is beyond any tolerance.
   const bool within = std::all_of(differences.begin(), differences.end(), [&](const auto& d) {
-    return valueOf(d, command.metric) <= command.tolerance;
+    return valueOf(d, command.metric) <= tolerance;
   });
   return within ? ExitCode::Ok : ExitCode::Different;
 }

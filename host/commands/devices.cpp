@@ -1,15 +1,57 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iostream>
 #include <vector>
 
 #include "commands/commands.h"
-#include "commands/device_text.h"
-#include "commands/standard_output.h"
+#include "commands/process.h"
+#include "render/traversal.h"
 #include "vulkan/instance.h"
 
 namespace laver {
+namespace {
 
-ExitCode runDevices() {
+std::string row(const char* label, const std::string& value) {
+  return fmt::format("   {:<26}{}\n", label, value);
+}
+
+std::string bytes(std::uint64_t count) { return fmt::format("{} ({} MiB)", count, count >> 20); }
+
+std::string heaps(const VkPhysicalDeviceMemoryProperties& memory) {
+  std::string text;
+  for (std::uint32_t i = 0; i < memory.memoryHeapCount; ++i) {
+    const bool local = (memory.memoryHeaps[i].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) != 0;
+    text += fmt::format("{}{} MiB{}", i == 0 ? "" : ", ", memory.memoryHeaps[i].size >> 20,
+                        local ? " device-local" : "");
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string describe(const DeviceInfo& device, std::size_t index, bool isDefault) {
+  const std::string why = rejection(device);
+  const VkPhysicalDeviceLimits& limits = device.limits;
+  std::string text = fmt::format("{}: {}{}\n", index, device.name, isDefault ? " (default)" : "");
+  if (!why.empty()) text += row("cannot be used", why);
+  text += row("type", typeName(device.type));
+  text += row("driver", device.driver);
+  text += row("Vulkan", versionText(device.apiVersion));
+  if (why.empty()) {
+    text += row("subgroup size", std::to_string(device.subgroupSize));
+    text += row("traversal", runsPackets(device) ? "packet" : "lane");
+  }
+  text += row("maxStorageBufferRange", bytes(limits.maxStorageBufferRange));
+  text += row("maxTexelBufferElements", std::to_string(limits.maxTexelBufferElements));
+  if (device.maxAllocation != 0)
+    text += row("maxMemoryAllocationSize", bytes(device.maxAllocation));
+  text += row("maxComputeWorkGroupCount",
+              fmt::format("{}", fmt::join(limits.maxComputeWorkGroupCount, " x ")));
+  return text + row("memory heaps", heaps(device.memory));
+}
+
+ExitCode run(const DevicesCommand& /*command*/) {
   const Instance instance(false);
   std::vector<DeviceInfo> devices;
   for (const VkPhysicalDevice device : instance.devices()) devices.push_back(deviceInfo(device));

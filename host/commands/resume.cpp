@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <iostream>
 #include <sstream>
 
+#include "commands/output.h"
 #include "core/error.h"
 #include "core/hash.h"
 #include "image/io.h"
@@ -113,9 +113,9 @@ FilmState stateOf(const RenderCommand& command, const std::filesystem::path& fil
   if (command.resume) {
     std::error_code ignored;
     const bool there = std::filesystem::exists(file, ignored);
-    if (!command.quiet && there) std::cout << fmt::format("Going on from \"{}\"\n", file.string());
-    if (!command.quiet && !there)
-      std::cout << fmt::format("No \"{}\": rendering from the first sample\n", file.string());
+    print(command,
+          there ? fmt::format("Going on from \"{}\"\n", file.string())
+                : fmt::format("No \"{}\": rendering from the first sample\n", file.string()));
     return there ? readState(file) : FilmState(Keep::Always);
   }
   const bool fits = std::int64_t{camera.width} * camera.height <= kMostPixelsKept;

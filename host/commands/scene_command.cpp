@@ -1,10 +1,16 @@
-#include <fmt/format.h>
+#include "commands/scene_command.h"
 
-#include "commands/commands.h"
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <iostream>
+
 #include "render/sample_map.h"
 
 namespace laver {
+namespace {
 
+/// Pictures beside the scene's own ask for materials and lights, too.
 SceneOverrides overridesOf(const SceneCommand& command) {
   SceneOverrides overrides = command.overrides;
   overrides.noriCompat = command.options.noriCompat;
@@ -13,19 +19,83 @@ SceneOverrides overridesOf(const SceneCommand& command) {
   return overrides;
 }
 
-void checkOptions(const SceneCommand& command, const Scene& scene) {
+void checkOptions(const RenderOptions& options, const Scene& scene) {
   const Camera& camera = scene.camera;
-  if (const auto& crop = command.options.crop;
+  if (const auto& crop = options.crop;
       crop && (crop->x0 < 0 || crop->y0 < 0 || crop->x1 > camera.width ||
                crop->y1 > camera.height || crop->x0 >= crop->x1 || crop->y0 >= crop->y1))
     throw Error(ExitCode::Usage,
                 fmt::format("--crop {},{},{},{}: expected 0 <= x0 < x1 <= {}, 0 <= y0 < y1 <= {}",
                             crop->x0, crop->y0, crop->x1, crop->y1, camera.width, camera.height));
-  if (command.options.error != 0.0 && maxSamplesOf(scene.sampler) == 0)
+  if (options.error != 0.0 && maxSamplesOf(scene.sampler) == 0)
     throw Error(ExitCode::Usage,
                 fmt::format("--error: {} samples a pixel are too few to choose from; --spp {} is "
                             "the least",
                             scene.sampler.sampleCount, shared::CELL_STEP));
+}
+
+void checkError(const RenderCommand& command) {
+  if (command.options.error == 0.0) return;
+  if (command.reference)
+    throw Error(ExitCode::Usage, "--error: the reference takes as many samples as the scene says");
+  if (command.resume)
+    throw Error(ExitCode::Usage,
+                "--error: an adaptive render begins anew; --resume goes on only "
+                "where every pixel gets as many samples");
+}
+
+/// Channels beside the picture's own three.
+std::size_t layerChannels(const RenderOptions& options) {
+  std::size_t count = centreChannels(options.layers).size();
+  for (const Shown& shown : shownBeside(options.more, options.layers))
+    count += shown.channels.size();
+  return count + (asks(options.layers, Layer::Samples) ? 1 : 0);
+}
+
+/// The picture and its files are made in memory; measured at 16384 x 16384: 20 bytes a pixel. Sums
+/// that are kept are 32 more, and their file as many again.
+void checkMemory(const RenderCommand& command, const Camera& camera) {
+  const Crop film = coreOf(camera, command.options);
+  // A layer's: 4 bytes a channel, once more while layers are put together, and the file's.
+  const std::uint64_t bytes = (command.resume ? 88 : 24) + 12 * layerChannels(command.options) +
+                              (command.displayServer ? 12 : 0) +
+                              (command.gui ? 12 + 4 * layerChannels(command.options) : 0);
+  const std::uint64_t needed = bytes * static_cast<std::uint64_t>(film.x1 - film.x0) *
+                               static_cast<std::uint64_t>(film.y1 - film.y0);
+  const std::uint64_t there = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
+                              static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+  if (needed > there)
+    throw Error(ExitCode::Device,
+                fmt::format("a film of {}x{} pixels needs {} MiB of memory, the machine has {}",
+                            film.x1 - film.x0, film.y1 - film.y0, needed >> 20, there >> 20));
+}
+
+void warnOfMissingUvs(const RenderOptions& options, const Scene& scene) {
+  if (!asks(options.layers, Layer::Uv)) return;
+  for (const Mesh& mesh : scene.meshes)
+    if (mesh.uvs.empty() && !mesh.sphere)
+      std::cerr << fmt::format(
+          "laver: warning: \"{}\" has no texture coordinates; layer uv is 0 there\n", mesh.name);
+}
+
+}  // namespace
+
+Scene sceneOf(const std::string& file, const SceneOverrides& overrides) {
+  LoadedScene loaded = loadScene(file, overrides);
+  for (const auto& warning : loaded.warnings) std::cerr << warning << '\n';
+  return std::move(loaded.scene);
+}
+
+Scene sceneOf(const SceneCommand& command) {
+  Scene scene = sceneOf(command.scene, overridesOf(command));
+  checkOptions(command.options, scene);
+  return scene;
+}
+
+void checkRender(const RenderCommand& command, const Scene& scene) {
+  warnOfMissingUvs(command.options, scene);
+  checkError(command);
+  checkMemory(command, scene.camera);
 }
 
 }  // namespace laver

@@ -1,13 +1,15 @@
 #include <iostream>
 
 #include "commands/commands.h"
-#include "commands/standard_output.h"
+#include "commands/process.h"
 #include "scene/schema_text.h"
 
 namespace laver {
 
-ExitCode runSchema(bool json) {
-  std::cout << (json ? schemaJson().dump(2) + '\n' : schemaText());
+ExitCode run(const SchemaCommand& command) {
+  std::cout << (command.json       ? schemaJson().dump(2) + '\n'
+                : command.markdown ? schemaMarkdown()
+                                   : schemaText());
   flushStandardOutput();
   return ExitCode::Ok;
 }

@@ -42,13 +42,13 @@ struct Process {
 /// "ERROR: mine.glsl:5: 'x' : undeclared identifier" becomes "mine.glsl:5: error: 'x' : undeclared
 /// identifier". Summaries of how many errors there are go.
 [[noreturn]] void refuse(const std::string& log) {
-  static const std::regex kError("ERROR: (.*):([0-9]+): (.*)");
+  static const std::regex kError("ERROR: (.*):([0-9]+): (.*[^ ]) *");
   std::string lines;
   std::istringstream in(log);
   for (std::string line; std::getline(in, line);) {
     std::smatch match;
     if (!std::regex_match(line, match, kError) ||
-        match[3].str().find("compilation terminated") == 0)
+        match[3].str().find("compilation terminated") != std::string::npos)
       continue;
     lines += fmt::format("{}{}:{}: error: {}", lines.empty() ? "" : "\n", match[1].str(),
                          match[2].str(), match[3].str());

@@ -4,6 +4,8 @@
 
 #include <set>
 
+#include "core/error.h"
+
 namespace laver {
 namespace {
 
@@ -119,8 +121,15 @@ void properties(const TraceKey& key, Text& text) {
   }
 }
 
+/// Of `#line N "FILE"`: takes the name, and returns the number of the directive's own line.
+std::size_t takeLine(std::string_view line, std::string& name) {
+  const std::size_t quote = line.find('"');
+  name = std::string(line.substr(quote + 1, line.rfind('"') - quote - 1));
+  return std::stoul(std::string(line.substr(6, quote - 6))) - 1;
+}
+
 /// Appends `text` with its includes; `seen` are the files that it has already.
-void expand(std::string_view text, const std::string& name, std::set<std::string>& seen,
+void expand(std::string_view text, std::string name, std::set<std::string>& seen,
             std::string& out) {
   std::size_t number = 0;
   while (!text.empty()) {
@@ -128,6 +137,7 @@ void expand(std::string_view text, const std::string& name, std::set<std::string
     const std::string_view line = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
     ++number;
+    if (line.starts_with("#line ")) number = takeLine(line, name);
     constexpr std::string_view kInclude = "#include \"";
     if (!line.starts_with(kInclude)) {
       out += line;
@@ -136,6 +146,9 @@ void expand(std::string_view text, const std::string& name, std::set<std::string
     }
     const std::string_view rest = line.substr(kInclude.size());
     const std::string path(rest.substr(0, rest.find('"')));
+    if (shaderText(path).empty())
+      throw Error(ExitCode::Scene, fmt::format("{}:{}: error: laver has no file \"{}\" to include",
+                                               name, number, path));
     if (seen.insert(path).second) {
       out += fmt::format("#line 1 \"{}\"\n", path);
       expand(shaderText(path), path, seen, out);

@@ -26,7 +26,6 @@ std::vector<std::string> commonKernels() {
   for (const char* integrator : {"normals", "depth", "ao"}) {
     TraceKey key;
     key.integrator = integrator;
-    key.bsdfs = {"diffuse"};
     key.jumpLevels = 2;
     key.traversal = Traversal::Packet32;
     texts.push_back(compose(key));

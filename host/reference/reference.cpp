@@ -1,5 +1,6 @@
 #include "reference/reference.h"
 
+#include "core/error.h"
 #include "core/parallel.h"
 #include "reference/camera.h"
 #include "reference/film.h"
@@ -19,7 +20,11 @@ struct Reference::Impl {
 };
 
 Reference::Reference(const Scene& scene, unsigned threads)
-    : impl_(std::make_unique<Impl>(scene, threads)) {}
+    : impl_(std::make_unique<Impl>(scene, threads)) {
+  if (scene.integrator.row->radiance == nullptr)
+    throw Error(ExitCode::Scene, std::string(scene.integrator.row->name) +
+                                     ": the reference has no integrator of a file of one's own");
+}
 Reference::~Reference() = default;
 Reference::Reference(Reference&&) noexcept = default;
 Reference& Reference::operator=(Reference&&) noexcept = default;
@@ -45,18 +50,6 @@ std::optional<Reference::Hit> Reference::closest(glm::dvec2 film) const {
     result.v = weights[2];
   }
   return result;
-}
-
-bool Reference::decided(glm::dvec2 film, double delta, double tolerance, glm::dvec2 numbers) const {
-  const glm::dvec3 centre = radiance(film, numbers);
-  for (int y = -1; y <= 1; ++y) {
-    for (int x = -1; x <= 1; ++x) {
-      if (x == 0 && y == 0) continue;
-      const glm::dvec3 away = glm::abs(radiance(film + delta * glm::dvec2(x, y), numbers) - centre);
-      if (!(away.x <= tolerance && away.y <= tolerance && away.z <= tolerance)) return false;
-    }
-  }
-  return true;
 }
 
 glm::vec2 Reference::samplePosition(int x, int y, std::uint32_t sample) const {
@@ -93,6 +86,7 @@ Rendered Reference::render(const RenderOptions& options) const {
         parts.back().at(x, y, 0) = static_cast<float>(all.reached.samplesIn(y, wanted));
   }
   all.image = joined(std::move(parts));
+  observers.finished(all.image);
   return all;
 }
 

@@ -39,13 +39,6 @@ class Reference {
   /// of the smallest number wins, also where the copies list their corners differently.
   std::optional<Hit> closest(glm::dvec2 film) const;
 
-  /// Whether radiance() at the eight film positions `delta` pixels up, down, left, right and
-  /// diagonally from `film` agrees with that at `film` to `tolerance` in every channel: no
-  /// silhouette, tie or shadow boundary lies near, so that float rounding cannot explain a
-  /// difference. Features narrower than delta may pass between the nine. False on NaN.
-  bool decided(glm::dvec2 film, double delta, double tolerance,
-               glm::dvec2 numbers = glm::dvec2(0.5)) const;
-
   /// Film position of a sample of a pixel, as the scene's sampler draws it.
   glm::vec2 samplePosition(int x, int y, std::uint32_t sample) const;
   /// The sample's other numbers, for radiance().

@@ -61,7 +61,7 @@ double Rounding::ofHit(dvec2 film, double distance) const {
   return e * (turnOf(film) + (1.0 + kFarthest) * reach_ / distance) * pixelsPerRadian(film);
 }
 
-double Rounding::ofShadow(dvec2 film, double distance) const {
+double Rounding::ofShading(dvec2 film, double distance) const {
   return e * (turnOf(film) + (1.0 + kFarthest + kShadow) * reach_ / distance) *
          pixelsPerRadian(film);
 }

@@ -46,8 +46,8 @@ class Rounding {
   /// Pixels by which a camera ray may pass beside its film position, at a distance from the camera
   /// in scene units.
   double ofHit(glm::dvec2 film, double distance) const;
-  /// The same of what lies between the hit and a light.
-  double ofShadow(glm::dvec2 film, double distance) const;
+  /// The same of what is shaded there: which lights it sees, what textures show.
+  double ofShading(glm::dvec2 film, double distance) const;
   /// The same of a background, looked up by two angles of the direction: 7 e for the rotation of
   /// the direction, and for each angle 25 e (turn.glsl) and 12 e (its place in the picture).
   double ofBackground(glm::dvec2 film) const;

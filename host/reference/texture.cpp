@@ -57,7 +57,7 @@ bool odd(double x) { return std::fmod(std::abs(std::floor(x)), 2.0) == 1.0; }
 
 }  // namespace
 
-glm::dvec3 albedoAt(const Diffuse& bsdf, glm::dvec2 uv) {
+glm::dvec3 albedoAt(const Bsdf& bsdf, glm::dvec2 uv) {
   if (!bsdf.texture) return bsdf.albedo;
   const Texture& texture = *bsdf.texture;
   const glm::dvec2 st = texture.scale * uv + texture.offset;

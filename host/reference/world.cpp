@@ -87,7 +87,8 @@ Surface World::surface(const Met& met) const {
   surface.position = ball.centre + ball.radius * met.normal;
   surface.geometric = surface.shading = met.normal;
   surface.uv = uvOf(met.normal);
-  surface.albedo = albedoAt(scene_->meshes[ball.mesh].bsdf, surface.uv);
+  surface.mesh = &scene_->meshes[ball.mesh];
+  surface.albedo = albedoAt(surface.mesh->bsdf, surface.uv);
   // Half an ulp of each term a component, and of the moved position: as below.
   surface.offset =
       8 * 0x1p-53 * glm::dot(glm::abs(surface.geometric), glm::abs(ball.centre) + ball.radius);
@@ -120,6 +121,7 @@ Surface World::surface(const TreeHit& hit) const {
     for (int i = 0; i < 3; ++i) uv += given[static_cast<std::size_t>(i)] * mesh.uvs[indices[i]];
   }
   surface.albedo = albedoAt(mesh.bsdf, uv);
+  surface.mesh = &mesh;
   // The error of the position off its plane: half an ulp a component, and as much again for the
   // moved position, is below 2 * 2^-53 * sum |n_i| size_i; 8 leaves room for neighbours whose
   // corners were rounded out of a common plane.

@@ -17,8 +17,9 @@ struct Surface {
   glm::dvec3 geometric;  ///< unit normal of the triangle's plane, by its winding
   glm::dvec3 shading;    ///< unit normal from the vertex normals, else the geometric one
   glm::dvec3 albedo;
-  double offset;  ///< distance along a normal that no rounding of `position` exceeds
-  glm::dvec2 uv;  ///< of a sphere, or interpolated from vertices; 0 where they have none
+  const Mesh* mesh;  ///< that it belongs to
+  double offset;     ///< distance along a normal that no rounding of `position` exceeds
+  glm::dvec2 uv;     ///< of a sphere, or interpolated from vertices; 0 where they have none
 };
 
 /// What a ray met first: a triangle, or else a sphere.

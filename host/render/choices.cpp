@@ -1,5 +1,7 @@
 #include "render/choices.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "render/materials.h"
@@ -40,7 +42,7 @@ void addOnce(std::vector<std::string>& names, const std::string& name) {
 std::vector<std::string> bsdfsOf(const Scene& scene) {
   std::vector<std::string> names;
   for (const Mesh& mesh : scene.meshes) addOnce(names, bsdfName(mesh));
-  if (names.empty()) names.emplace_back("diffuse");
+  if (names.empty()) names.emplace_back(bsdfs::diffuse.name);
   std::sort(names.begin(), names.end());
   return names;
 }
@@ -89,9 +91,27 @@ void keyOfShading(const Scene& scene, const IntegratorRow& row, bool surfaces, T
     if (shows(mesh.bsdf.texture)) noteImage(mesh.bsdf.texture->image, key);
 }
 
+std::string number(double x) {
+  const std::string text = fmt::format("{}", static_cast<float>(x));
+  return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
+}
+
+/// A property of a user's own integrator as a constant of its kernel.
+KernelProperty constantOf(const NamedValue& property) {
+  const Value& value = property.value;
+  if (const auto* x = std::get_if<double>(&value)) return {"float", property.name, number(*x)};
+  if (const auto* i = std::get_if<std::int64_t>(&value))
+    return {"int", property.name, std::to_string(*i)};
+  if (const auto* b = std::get_if<bool>(&value))
+    return {"bool", property.name, *b ? "true" : "false"};
+  const glm::dvec3 v = std::get<glm::dvec3>(value);
+  return {"vec3", property.name,
+          fmt::format("vec3({}, {}, {})", number(v.x), number(v.y), number(v.z))};
+}
+
 TraceKey keyOf(const Scene& scene, const RenderOptions& options, const IntegratorUse& shown) {
   const IntegratorRow& row = *shown.row;
-  const bool surfaces = !row.needs.lights || !scene.lights.empty();
+  const bool surfaces = shown.user || !row.needs.lights || !scene.lights.empty();
   TraceKey key;
   key.integrator = row.name;
   key.camera = "perspective";
@@ -108,6 +128,11 @@ TraceKey keyOf(const Scene& scene, const RenderOptions& options, const Integrato
   if (shades(row)) keyOfShading(scene, row, surfaces, key);
   for (const PropertyRow& property : row.properties)
     key.properties.push_back({"float", property.name, ""});
+  if (shown.user) {
+    key.userFile = shown.user->file;
+    key.userText = shown.user->text;
+    for (const NamedValue& value : shown.values) key.properties.push_back(constantOf(value));
+  }
   return key;
 }
 

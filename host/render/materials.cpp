@@ -4,7 +4,7 @@
 
 namespace laver {
 
-std::string bsdfName(const Mesh&) { return "diffuse"; }
+std::string bsdfName(const Mesh& mesh) { return mesh.bsdf.row->name; }
 
 std::string textureName(const Texture& texture) {
   return texture.kind == Texture::Kind::Checker ? "checker" : "bitmap";
@@ -19,15 +19,21 @@ bool shows(const std::optional<Texture>& texture) {
   return texture && (texture->kind == Texture::Kind::Checker || texture->image);
 }
 
-bool hasNumbers(const Mesh&) { return false; }
+bool hasNumbers(const Mesh& mesh) { return !numbersOf(mesh.bsdf).empty(); }
 
-bool alike(const Mesh& a, const Mesh& b) { return a.bsdf.albedo == b.bsdf.albedo; }
+bool alike(const Mesh& a, const Mesh& b) {
+  return a.bsdf.row == b.bsdf.row && a.bsdf.albedo == b.bsdf.albedo &&
+         numbersOf(a.bsdf) == numbersOf(b.bsdf);
+}
 
 glm::dvec3 albedoOf(const Mesh& mesh) { return mesh.bsdf.albedo; }
 
 shared::Material materialOf(const Mesh& mesh, const std::vector<std::string>& bsdfs) {
   const auto place = std::find(bsdfs.begin(), bsdfs.end(), bsdfName(mesh)) - bsdfs.begin();
-  return {glm::vec3(albedoOf(mesh)), static_cast<std::uint32_t>(place), glm::vec4(0.0F)};
+  glm::vec4 numbers(0.0F);
+  int i = 0;
+  for (const double number : numbersOf(mesh.bsdf)) numbers[i++] = static_cast<float>(number);
+  return {glm::vec3(albedoOf(mesh)), static_cast<std::uint32_t>(place), numbers};
 }
 
 }  // namespace laver

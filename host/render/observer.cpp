@@ -39,4 +39,8 @@ void Observers::rowsChanged(const Image& picture, int first, int end) const {
   for (Observer* observer : observers_) observer->rowsChanged(picture, first, end);
 }
 
+void Observers::finished(const Image& picture) const {
+  for (Observer* observer : observers_) observer->finished(picture);
+}
+
 }  // namespace laver

@@ -25,6 +25,8 @@ class Observer {
   /// Rows [first, end) of the scene's own picture, which is valid during the call, have new values.
   /// The last call for a row brings its final values.
   virtual void rowsChanged(const Image& /*picture*/, int /*first*/, int /*end*/) {}
+  /// The render has ended with this picture, which has all layers.
+  virtual void finished(const Image& /*picture*/) {}
   /// Share of the render's time that showing rows before they are final may take; 0: none of it.
   virtual double timeShare() const { return 0.0; }
 };
@@ -44,6 +46,7 @@ class Observers {
   /// `share` of the present picture is done.
   void progress(double share, std::uint64_t samples) const;
   void rowsChanged(const Image& picture, int first, int end) const;
+  void finished(const Image& picture) const;
 
   /// Whether rows that are not final may be shown now.
   bool due() const { return index_ == 0 && throttle_.due(); }

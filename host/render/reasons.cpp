@@ -122,7 +122,7 @@ std::string joined(const std::vector<std::string>& names) {
   return all;
 }
 
-Reason bsdfs(const Facts& f) {
+Reason materialBsdfs(const Facts& f) {
   if (!f.coloured || !f.traced())
     return {"BSDFs", "left out", fmt::format("{} shows none", f.shownBy()), "", 0};
   return {"BSDFs", joined(f.uploads.bsdfs), "those of the meshes", "the others", 0};
@@ -271,9 +271,9 @@ std::vector<Reason> reasonsOf(const Scene& scene, const RenderOptions& options,
   const Facts f(scene, options, choices);
   std::vector<Reason> reasons = {integrator(f),
                                  {"traversal", traversalName(choices.traversal), traversal, "", 0}};
-  for (const auto reason :
-       {rays, spheres, normals, materials, bsdfs, textures, images, background, uvs, indices,
-        lights, shadowRays, sampler, samplerTables, filter, film, adaptive, sideBySide, passes})
+  for (const auto reason : {rays, spheres, normals, materials, materialBsdfs, textures, images,
+                            background, uvs, indices, lights, shadowRays, sampler, samplerTables,
+                            filter, film, adaptive, sideBySide, passes})
     reasons.push_back(reason(f));
   return reasons;
 }

@@ -76,6 +76,7 @@ Rendered Renderer::render(const Scene& scene, const RenderOptions& options, Film
   const Rendered rendered =
       renderLoop(frame, {scene, options, choices, packed.space, observers}, state, times);
   start.vulkan->instance.throwIfInvalid();
+  observers.finished(rendered.image);
 
   stats.device = device.name();
   stats.driver = device.driver();

@@ -69,8 +69,18 @@ std::string describeTexture(const Texture& texture) {
                      triple(texture.colors[0]), place);
 }
 
-std::string describeAlbedo(const Diffuse& bsdf) {
-  return bsdf.texture ? describeTexture(*bsdf.texture) : triple(bsdf.albedo);
+std::string describeBsdf(const Bsdf& bsdf) {
+  std::string properties;
+  for (const PropertyRow& property : bsdf.row->properties) {
+    const bool colour = property.type == PropertyType::Color;
+    const std::string value = !colour        ? fmt::format("{:f}", bsdf.real(property.name))
+                              : bsdf.texture ? describeTexture(*bsdf.texture)
+                                             : triple(bsdf.albedo);
+    properties +=
+        fmt::format("{}        {} = {}", properties.empty() ? "\n" : ",\n", property.name, value);
+  }
+  return fmt::format("{}[{}{}]", bsdf.row->object, properties,
+                     properties.empty() ? "" : "\n      ");
 }
 
 std::string describeEnvironment(const std::optional<Environment>& environment) {
@@ -86,12 +96,12 @@ std::string describeMesh(const Mesh& mesh) {
   if (mesh.sphere)
     return fmt::format(
         "    Sphere[\n      center = {},\n      radius = {:g},\n"
-        "      bsdf = Diffuse[\n        albedo = {}\n      ],\n      emitter = null\n    ]",
-        triple(mesh.sphere->centre), mesh.sphere->radius, describeAlbedo(mesh.bsdf));
+        "      bsdf = {},\n      emitter = null\n    ]",
+        triple(mesh.sphere->centre), mesh.sphere->radius, describeBsdf(mesh.bsdf));
   return fmt::format(
       "    Mesh[\n      name = \"{}\",\n      vertexCount = {},\n      triangleCount = {},\n"
-      "      bsdf = Diffuse[\n        albedo = {}\n      ],\n      emitter = null\n    ]",
-      mesh.name, mesh.positions.size(), mesh.triangles.size(), describeAlbedo(mesh.bsdf));
+      "      bsdf = {},\n      emitter = null\n    ]",
+      mesh.name, mesh.positions.size(), mesh.triangles.size(), describeBsdf(mesh.bsdf));
 }
 
 template <class T>

@@ -1,5 +1,8 @@
 #include "scene/integrators.h"
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
 
 namespace laver {
@@ -13,6 +16,7 @@ glm::dvec3 averageVisibility(const CameraSample& sample);
 glm::dvec3 ambientOcclusion(const CameraSample& sample);
 glm::dvec3 shadingNormal(const CameraSample& sample);
 glm::dvec3 albedo(const CameraSample& sample);
+glm::dvec3 geometricNormals(const CameraSample& sample);
 }  // namespace reference
 
 namespace integrators {
@@ -64,12 +68,32 @@ const IntegratorRow albedo{.name = "albedo",
                            .miss = Miss::Black,
                            .radiance = reference::albedo};
 
+static const IntegratorRow geometricNormals{.name = "geometric_normals",
+                                            .object = "GeometricNormalIntegrator",
+                                            .miss = Miss::Black,
+                                            .radiance = reference::geometricNormals};
+
 }  // namespace integrators
+
+std::optional<IntegratorUse> userIntegrator(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return {};
+  auto user = std::make_shared<UserIntegrator>();
+  user->name = std::filesystem::path(file).stem().string();
+  user->file = file;
+  user->text.assign(std::istreambuf_iterator<char>(in), {});
+  user->row.name = user->row.object = user->name.c_str();
+  user->row.needs = {
+      .normals = true, .materials = true, .lights = true, .background = true, .numbers = true};
+  IntegratorUse use{&user->row};
+  use.user = std::move(user);
+  return use;
+}
 
 const Rows<IntegratorRow>& integratorRows() {
   using namespace integrators;
-  static const Rows<IntegratorRow> rows = {&normals, &directWhitted, &depth, &averageVisibility,
-                                           &ambientOcclusion};
+  static const Rows<IntegratorRow> rows = {
+      &normals, &directWhitted, &depth, &averageVisibility, &ambientOcclusion, &geometricNormals};
   return rows;
 }
 

@@ -1,5 +1,8 @@
 #pragma once
 #include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -52,10 +55,13 @@ extern const IntegratorRow normals, directWhitted, depth, averageVisibility, amb
 /// All that scenes may name.
 const Rows<IntegratorRow>& integratorRows();
 
+struct UserIntegrator;
+
 /// An integrator and its properties.
 struct IntegratorUse {
   const IntegratorRow* row = &integrators::normals;
-  Values values{};  ///< those that differ from the row's
+  Values values{};  ///< those that differ from the row's; of a user's own integrator, all
+  std::shared_ptr<const UserIntegrator> user{};  ///< an integrator in a file of the user's own
 
   double real(std::string_view property) const {
     return std::get<double>(valueOf(row->properties, values, property));
@@ -65,6 +71,16 @@ struct IntegratorUse {
   /// The same integrator, whatever its properties.
   bool operator==(const IntegratorUse& other) const { return row == other.row; }
 };
+
+/// An integrator in a GLSL file of the user's own. Nothing is known of it: it is given all that a
+/// scene has, and no pixel is skipped.
+struct UserIntegrator {
+  std::string name, file, text;
+  IntegratorRow row;
+};
+
+/// Reads one. Nothing where the file cannot be read.
+std::optional<IntegratorUse> userIntegrator(const std::string& file);
 
 /// Whether what an integrator shows depends on materials, lights or the background.
 inline bool shades(const IntegratorRow& row) {

@@ -144,11 +144,17 @@ void buildSphere(const Properties& given, std::string_view, Draft& draft) {
   draft.meshes.push_back({given.offset(), "", glm::dmat4(1.0), {}, 0, sphere});
 }
 
-const std::vector<PropertyRow> kDiffuse = {
-    {.name = "albedo", .type = Color, .start = Diffuse{}.albedo}};
-
-void buildDiffuse(const Properties& given, std::string_view, Draft& draft) {
-  if (!draft.meshes.empty()) draft.meshes.back().bsdf.albedo = given.triple("albedo");
+void buildBsdf(const Properties& given, std::string_view, Draft& draft) {
+  if (draft.meshes.empty()) return;
+  Bsdf& bsdf = draft.meshes.back().bsdf;
+  bsdf.row = &rowOf(given, bsdfRows());
+  bsdf.albedo = glm::dvec3(1.0);
+  for (const PropertyRow& property : bsdf.row->properties) {
+    if (property.type == Color)
+      bsdf.albedo = given.triple(property.name);
+    else if (given.has(property.name))
+      setValue(bsdf.values, property.name, given.real(property.name));
+  }
 }
 
 void addLight(const PointLight& light, std::string_view parent, Draft& draft) {
@@ -191,9 +197,9 @@ std::vector<ObjectRule> makeRules() {
   rules.push_back({"camera", "perspective", camera, buildCamera});
   add(rules, "sampler", samplerRows(), buildSampler);
   add(rules, "rfilter", filterRows(), buildFilter);
+  add(rules, "bsdf", bsdfRows(), buildBsdf);
   const ObjectRule others[] = {{"mesh", "obj", kObj, buildObj},
                                {"mesh", "sphere", kSphere, buildSphere},
-                               {"bsdf", "diffuse", kDiffuse, buildDiffuse},
                                {"emitter", "pointlight", kPointLight, buildPointLight},
                                {"emitter", "point", kPowerLight, buildPowerLight},
                                {"emitter", "environment", kEnvironment, buildEnvironment},

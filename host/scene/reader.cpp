@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "scene/suggest.h"
 #include "scene/transform_reader.h"
@@ -10,11 +11,22 @@
 namespace laver::xml {
 namespace {
 
+/// Of properties that reach GLSL.
+constexpr const char* kNameCharacters =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
+
 constexpr ObjectRule kScene{"scene", "", {}, nullptr};
 
 bool isElement(pugi::xml_node node) { return node.type() == pugi::node_element; }
 
 }  // namespace
+
+/// The user's own integrator TYPE.glsl beside the scene, if there is one.
+std::optional<IntegratorUse> Reader::integratorBeside(const std::string& type) const {
+  if (type.empty()) return {};
+  const auto folder = std::filesystem::path(source_.file()).parent_path();
+  return userIntegrator((folder / (type + ".glsl")).string());
+}
 
 void Reader::findIntegrator(pugi::xml_node root) {
   const char* type = root.child("integrator").attribute("type").value();
@@ -22,6 +34,8 @@ void Reader::findIntegrator(pugi::xml_node root) {
     integrator_ = draft_.overrides.integrator;
   } else if (const IntegratorRow* row = rowCalled(integratorRows(), type)) {
     integrator_ = IntegratorUse{row};
+  } else {
+    integrator_ = integratorBeside(type);
   }
   if (integrator_) draft_.scene.integrator = *integrator_;
   if (!integrator_ && !root.child("integrator")) {
@@ -207,12 +221,39 @@ void Reader::readObject(pugi::xml_node node, const TagRule& rule, const ObjectRu
     readChildren(node, &properties, parent.tag);
     return;
   }
+  if (rule.tag == std::string_view("integrator") && readUserIntegrator(node, type)) return;
   const auto types = knownTypes(rule.tag);
   const std::string known =
       types.empty() ? "it has none" : "expected " + expectedNames(type, types);
   const bool replaced = rule.tag == std::string_view("integrator") && draft_.overrides.integrator;
   missing(node, replaced ? Need::Never : rule.need,
           fmt::format("laver has no {} of type {}: {}", rule.tag, inQuotes(type), known));
+}
+
+// A file TYPE.glsl beside the scene is an integrator, whatever properties it takes.
+bool Reader::readUserIntegrator(pugi::xml_node node, const char* type) {
+  std::optional<IntegratorUse> use = integratorBeside(type);
+  if (!use) return false;
+  for (const pugi::xml_node child : node.children()) {
+    if (!isElement(child)) continue;
+    const PropertyType* property = findPropertyType(child.name());
+    const std::string name = child.attribute("name").value();
+    const bool named =
+        !name.empty() && name.find_first_not_of(kNameCharacters) == std::string::npos;
+    if (property == nullptr || *property == PropertyType::String ||
+        *property == PropertyType::Transform || !named) {
+      diagnostics_.error(
+          at(child), fmt::format("{} takes numbers, booleans, points, vectors and colours whose "
+                                 "names are letters, digits and _",
+                                 inQuotes(use->user->file)));
+      continue;
+    }
+    if (const auto value = readValue(child, *property, *property))
+      setValue(use->values, name, *value);
+  }
+  draft_.scene.fileIntegrator = *use;
+  if (!draft_.overrides.integrator) draft_.scene.integrator = *use;
+  return true;
 }
 
 // A tag with a type is an object of somebody's dialect, unless it reads like one of laver's own.

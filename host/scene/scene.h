@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/bsdfs.h"
 #include "scene/filters.h"
 #include "scene/integrators.h"
 #include "scene/samplers.h"
@@ -21,12 +22,6 @@ struct Camera {
   double fov = 30.0;        ///< horizontal, degrees
   double nearClip = 1e-4;   ///< plane z = nearClip of camera space
   double farClip = 1e4;
-};
-
-/// Lambertian reflection.
-struct Diffuse {
-  glm::dvec3 albedo{0.5};
-  std::optional<Texture> texture;  ///< stands for the albedo
 };
 
 /// Isotropic point light: radiance / distance^2 arrives at a surface.
@@ -50,7 +45,7 @@ struct Mesh {
   std::vector<glm::dvec2> uvs;
   std::vector<glm::uvec3> triangles;   ///< indices into the above, in file order
   std::uint64_t droppedTriangles = 0;  ///< zero-area triangles left out at load
-  Diffuse bsdf;
+  Bsdf bsdf;
 
   /// Triangles and spheres, which are numbered together.
   std::size_t primitives() const { return sphere ? 1 : triangles.size(); }

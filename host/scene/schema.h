@@ -17,7 +17,7 @@ struct MeshDraft {
   std::size_t offset;  ///< of the mesh's tag
   std::string filename;
   glm::dmat4 toWorld{1.0};
-  Diffuse bsdf;
+  Bsdf bsdf;
   std::size_t textureOffset = 0;  ///< of its texture's tag
   std::optional<Sphere> sphere;   ///< then there is no file
 };

@@ -103,4 +103,31 @@ std::string schemaText() {
   return text;
 }
 
+std::string schemaMarkdown() {
+  std::string text;
+  for (const TagRule& tag : tagRules()) {
+    std::string rows;
+    for (const ObjectRule& object : objectRules()) {
+      if (object.tag != std::string_view(tag.tag)) continue;
+      if (object.properties.empty()) rows += fmt::format("| `{}` | | | | |\n", object.type);
+      for (const PropertyRow& p : object.properties) {
+        const std::string start = textOf(p.start);
+        const std::string unit = rangeText(p);
+        rows +=
+            fmt::format("| `{}` | `{}` {} | {} | {} | {} |\n", object.type, p.name, tagOf(p.type),
+                        p.required      ? "required"
+                        : start.empty() ? "identity"
+                                        : start,
+                        unit, p.meaning);
+      }
+    }
+    if (rows.empty()) continue;
+    text += fmt::format(
+        "### `<{}>`\n\n| type | property | default | range | meaning |\n"
+        "|---|---|---|---|---|\n{}\n",
+        tag.tag, rows);
+  }
+  return text;
+}
+
 }  // namespace laver

@@ -10,7 +10,8 @@ namespace laver {
 ///  "transform": [{"tag", "attributes": [{"name", "numbers"}]}]}
 nlohmann::json schemaJson();
 
-/// The same for people.
+/// The same for people, and as tables of a document.
 std::string schemaText();
+std::string schemaMarkdown();
 
 }  // namespace laver

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "bench/report.h"
 #include "core/error.h"
 #include "support/expect_error.h"
@@ -49,6 +51,20 @@ TEST(BenchReport, KeepsEverySingleTimeInJson) {
   EXPECT_EQ(json["sections"][0]["timings"][0]["seconds"].size(), 3U);
   EXPECT_EQ(json["sections"][0]["timings"][1]["ratio"], 2.0);
   EXPECT_EQ(json["about"]["machine"], "a machine");
+}
+
+TEST(Bench, ShortRunFillsItsDocument) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.path("README.md");
+  std::ofstream(file) << "<!-- figures -->\n";
+  const std::string command =
+      "'" LAVER_BENCH "' --short --markdown '" + file + "' >" + folder.path("out.txt") + " 2>&1";
+  ASSERT_EQ(std::system(command.c_str()), 0) << test::contents(folder.path("out.txt"));
+  const std::string text = test::contents(file);
+  for (const char* part :
+       {"| date |", "| Embree |", "### Render: torus", "### Traversal only: bunny",
+        "### Tree: bunny", "### OBJ file: bunny", "### Process: laver"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << text;
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include "kernels/compose.h"
 #include "kernels/modules.h"
+#include "render/choices.h"
 #include "render/device_scene.h"
 #include "render/traversal.h"
 #include "vulkan/bindings.h"
@@ -48,7 +49,7 @@ Kernel kernelOf(const Device& device, const Bindings& bindings, const char* quer
   TraceKey key;
   for (const Traversal t : {Traversal::Lane, Traversal::Packet32, Traversal::Packet64})
     if (traversal == traversalName(t)) key.traversal = t;
-  key.stack = bvh.stack;
+  key.stack = stackFor(64, bvh.stack);  // so that most trees share a kernel
   key.spheres = std::any_of(bvh.triangles.begin(), bvh.triangles.end(),
                             [](const auto& t) { return t.flipped == shared::IS_SPHERE; });
   const std::string text = fmt::format("#define QUERY {}\n{}", query, testText("trace_rays.glsl"));

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "lab/chart/chart.h"
+#include "scene/samplers.h"
 
 namespace laver::chart {
 namespace {
@@ -68,8 +69,10 @@ TEST(ChartSeries, EverySamplerIsChartedAndAdaptivelyWhereItCan) {
   const auto all = seriesFor("packet32", {{"peer", {"command"}}});
   std::set<std::string> names;
   for (const Series& series : all) EXPECT_TRUE(names.insert(series.name).second) << series.name;
-  for (const char* name : {"independent", "stratified", "sobol", "sobol, adaptive"})
-    EXPECT_TRUE(names.contains(name)) << name;
+  for (const SamplerRow* row : samplerRows()) {
+    EXPECT_TRUE(names.contains(row->name));
+    EXPECT_EQ(names.contains(std::string(row->name) + ", adaptive"), row->adaptive) << row->name;
+  }
   EXPECT_TRUE(names.contains("independent, lane"));
   EXPECT_TRUE(names.contains("independent, packet64"));
   EXPECT_TRUE(names.contains("peer"));

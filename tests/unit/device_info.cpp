@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "commands/device_text.h"
+#include "commands/commands.h"
 #include "core/error.h"
 
 namespace laver::test {

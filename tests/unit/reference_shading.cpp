@@ -96,35 +96,5 @@ TEST(ReferenceTies, NumbersRunOnOverTheMeshes) {
   expectNear(renderer.radiance(filmOf(scene.camera, {0, 0, 0})), glm::dvec3(0.2, 1.0, 2.4) / pi);
 }
 
-TEST(ReferenceDecided, NearSilhouettesAndShadowsItIsNot) {
-  Scene scene = litSquare();
-  scene.meshes.push_back(square(0.25, 1));
-  scene.lights[0].position = {-1, 0, 2};
-  const Reference renderer(scene);
-  const auto decided = [&](double x) {
-    return renderer.decided(filmOf(scene.camera, {x, 0.01, 0}), 1e-3, 1e-2);
-  };
-  EXPECT_TRUE(decided(1.0));
-  EXPECT_TRUE(decided(-1.0));
-  EXPECT_FALSE(decided(2.0 - 1e-6));  // the square's silhouette
-  EXPECT_FALSE(decided(2.0 + 1e-6));
-  EXPECT_FALSE(decided(1.5 - 1e-6));  // the blocker's shadow ends at 1.5
-  EXPECT_TRUE(decided(1.5 + 1e-2));
-  EXPECT_FALSE(renderer.decided(filmOf(scene.camera, {1.6, 0.01, 0}), 1e-3, 0.0));
-}
-
-TEST(ReferenceDecided, LooksAtEveryChannel) {
-  for (int channel = 0; channel < 3; ++channel) {
-    Scene scene = litSquare();
-    scene.meshes.push_back(square(1, 0));
-    scene.meshes[0].bsdf.albedo = glm::dvec3(0.5);
-    scene.meshes[2].bsdf.albedo = glm::dvec3(0.5);
-    scene.meshes[2].bsdf.albedo[channel] = 0.9;
-    std::swap(scene.meshes[0], scene.meshes[2]);
-    const glm::dvec2 film = filmOf(scene.camera, {1 - 1e-6, 0.1, 0});
-    EXPECT_FALSE(Reference(scene).decided(film, 1e-3, 1e-2)) << channel;
-  }
-}
-
 }  // namespace
 }  // namespace laver::test

@@ -18,20 +18,20 @@ std::shared_ptr<const Picture> floats(int width, int height, const std::vector<f
   return std::make_shared<const Picture>(std::move(image));
 }
 
-Diffuse showing(std::shared_ptr<const Picture> picture) {
+Bsdf showing(std::shared_ptr<const Picture> picture) {
   Texture texture;
   texture.kind = Texture::Kind::Image;
   texture.colors.fill(dvec3(1.0));
   texture.image = std::move(picture);
-  return {dvec3(0.5), texture};
+  return {.albedo = dvec3(0.5), .texture = texture};
 }
 
 TEST(ReferenceTexture, NoTextureIsTheAlbedo) {
-  EXPECT_EQ(albedoAt({dvec3(0.1, 0.2, 0.3), {}}, {7, 8}), dvec3(0.1, 0.2, 0.3));
+  EXPECT_EQ(albedoAt({.albedo = dvec3(0.1, 0.2, 0.3)}, {7, 8}), dvec3(0.1, 0.2, 0.3));
 }
 
 TEST(ReferenceTexture, TheRowsOfAPictureGoDown) {
-  const Diffuse bsdf = showing(floats(2, 2, {1, 2, 3, 4}));
+  const Bsdf bsdf = showing(floats(2, 2, {1, 2, 3, 4}));
   EXPECT_EQ(albedoAt(bsdf, {0.25, 0.75}).x, 1.0);
   EXPECT_EQ(albedoAt(bsdf, {0.75, 0.75}).x, 2.0);
   EXPECT_EQ(albedoAt(bsdf, {0.25, 0.25}).x, 3.0);
@@ -41,7 +41,7 @@ TEST(ReferenceTexture, TheRowsOfAPictureGoDown) {
 }
 
 TEST(ReferenceTexture, APictureRepeats) {
-  const Diffuse bsdf = showing(floats(4, 2, {1, 2, 3, 4, 50, 60, 70, 80}));
+  const Bsdf bsdf = showing(floats(4, 2, {1, 2, 3, 4, 50, 60, 70, 80}));
   for (const dvec2 uv : {dvec2(0.1, 0.9), dvec2(0.97, 0.02), dvec2(0.0, 0.0), dvec2(0.5, 0.31)})
     for (const dvec2 shift : {dvec2(1, 0), dvec2(0, -1), dvec2(-3, 2), dvec2(1024, -512)})
       EXPECT_NEAR(albedoAt(bsdf, uv + shift).x, albedoAt(bsdf, uv).x, 1e-9) << uv.x << shift.x;
@@ -52,7 +52,7 @@ TEST(ReferenceTexture, APictureRepeats) {
 }
 
 TEST(ReferenceTexture, ScaleThenOffsetAndTheFactor) {
-  Diffuse bsdf = showing(floats(4, 1, {1, 2, 3, 4}));
+  Bsdf bsdf = showing(floats(4, 1, {1, 2, 3, 4}));
   bsdf.texture->scale = {2, 1};
   bsdf.texture->offset = {0.125, 0};
   bsdf.texture->colors[0] = dvec3(10, 1, 1);
@@ -62,7 +62,7 @@ TEST(ReferenceTexture, ScaleThenOffsetAndTheFactor) {
 TEST(ReferenceTexture, BytesAreDecodedBeforeTheyAreMixed) {
   Bitmap bitmap(2, 1, {0, 128, 255});
   bitmap.at(1, 0) = {255, 128, 255};
-  Diffuse bsdf = showing(std::make_shared<const Picture>(bitmap));
+  Bsdf bsdf = showing(std::make_shared<const Picture>(bitmap));
   // The curve of IEC 61966-2-1 at 128 / 255.
   expectNear(albedoAt(bsdf, {0.5, 0.5}), {0.5, 0.21586050011389926, 1.0}, 1e-12);
   bsdf.texture->raw = true;
@@ -70,7 +70,7 @@ TEST(ReferenceTexture, BytesAreDecodedBeforeTheyAreMixed) {
 }
 
 TEST(ReferenceTexture, ACheckerFollowsTheParityOfBothAxes) {
-  Diffuse bsdf;
+  Bsdf bsdf;
   bsdf.texture = Texture();
   bsdf.texture->colors = {dvec3(1), dvec3(2)};
   bsdf.texture->scale = {4, 2};

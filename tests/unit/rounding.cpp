@@ -120,7 +120,7 @@ TEST(Rounding, GrowsWithTheCamerasDistanceFromTheScene) {
   scene.camera.toWorld[3] *= glm::dvec4(100.0, 100.0, 100.0, 1.0);
   const double far = Rounding(scene).ofHit(middle, 1.0);
   EXPECT_GT(far, 10.0 * near);
-  EXPECT_GT(Rounding(scene).ofShadow(middle, 1.0), far);
+  EXPECT_GT(Rounding(scene).ofShading(middle, 1.0), far);
   EXPECT_LT(Rounding(scene).ofHit(middle, 100.0), 0.1 * far);
 }
 

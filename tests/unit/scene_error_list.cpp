@@ -22,7 +22,8 @@ TEST_F(SceneErrorList, AllOfAFileInItsOrder) {
       "bad.obj:2: error: vertex index 2 is out of range, the file has 1\n"
       "bad.obj:2: error: vertex index 0, OBJ counts from 1\n"
       "f.xml:5:2: error: laver has no integrator of type \"nomals\": expected \"normals\", "
-      "\"direct_whitted\", \"depth\", \"av\" or \"ao\" (nearest: \"normals\")");
+      "\"direct_whitted\", \"depth\", \"av\", \"ao\" or \"geometric_normals\" (nearest: "
+      "\"normals\")");
 }
 
 TEST_F(SceneErrorList, FileThatIsNotThereOrAFolder) {

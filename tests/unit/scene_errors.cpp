@@ -1,4 +1,6 @@
 // Every fault of a scene file, with the exact message.
+#include "scene/schema.h"
+#include "scene/suggest.h"
 #include "support/scene_files.h"
 
 namespace laver::test {
@@ -57,7 +59,7 @@ const std::vector<Case> kStructure = {
      "f.xml:2:14: error: bad XML: a comment does not end, expected \"-->\""},
     {"no_integrator", "<scene/>",
      "f.xml:1:2: error: <scene> needs an <integrator>: expected type \"normals\", "
-     "\"direct_whitted\", \"depth\", \"av\" or \"ao\""},
+     "\"direct_whitted\", \"depth\", \"av\", \"ao\" or \"geometric_normals\""},
     {"second_integrator", scene("<integrator type=\"depth\"/>"),
      "f.xml:2:2: error: a second <integrator> in <scene>, expected one: the first is in line 1"},
     {"second_camera", scene("<camera type=\"perspective\"/>\n <camera type=\"perspective\"/>"),
@@ -209,7 +211,8 @@ const std::vector<Case> kTransforms = {
 const std::vector<Case> kLacking = {
     {"integrator", scene("", "path_mis"),
      "f.xml:1:9: error: laver has no integrator of type \"path_mis\": expected \"normals\", "
-     "\"direct_whitted\", \"depth\", \"av\" or \"ao\" (nearest: \"normals\")"},
+     "\"direct_whitted\", \"depth\", \"av\", \"ao\" or \"geometric_normals\" (nearest: "
+     "\"normals\")"},
     {"camera", scene("<camera type=\"thinlens\"/>"),
      "f.xml:2:2: error: laver has no camera of type \"thinlens\": expected \"perspective\""},
     {"sampler", scene("<sampler type=\"halton\"/>"),
@@ -221,8 +224,6 @@ const std::vector<Case> kLacking = {
     {"cylinder", scene("<mesh type=\"cylinder\"><point name=\"p0\" value=\"0 0 0\"/></mesh>"),
      "f.xml:2:2: error: laver has no mesh of type \"cylinder\": expected \"obj\" or \"sphere\" "
      "(nearest: \"sphere\")"},
-    {"bsdf", scene(mesh("\n<bsdf type=\"disney\"/>"), "direct_whitted"),
-     "f.xml:3:2: error: laver has no bsdf of type \"disney\": expected \"diffuse\""},
     {"area_light", scene(mesh("\n<emitter type=\"area\"/>"), "direct_whitted"),
      "f.xml:3:2: error: laver has no emitter of type \"area\": expected \"pointlight\", "
      "\"point\", \"environment\", \"envmap\" or \"constant\" (nearest: \"point\")"},
@@ -244,6 +245,14 @@ INSTANTIATE_TEST_SUITE_P(Structure, SceneErrors, testing::ValuesIn(kStructure), 
 INSTANTIATE_TEST_SUITE_P(Values, SceneErrors, testing::ValuesIn(kValues), kName);
 INSTANTIATE_TEST_SUITE_P(Transforms, SceneErrors, testing::ValuesIn(kTransforms), kName);
 INSTANTIATE_TEST_SUITE_P(Lacking, SceneErrors, testing::ValuesIn(kLacking), kName);
+
+TEST(SceneErrors, AnUnknownBsdfNamesThoseOfTheTable) {
+  const SceneFiles files;
+  files.write("t.obj", kTriangle);
+  EXPECT_EQ(files.errors(scene(mesh("\n<bsdf type=\"disney\"/>"), "direct_whitted")),
+            "f.xml:3:2: error: laver has no bsdf of type \"disney\": expected " +
+                xml::expectedNames("disney", xml::knownTypes("bsdf")));
+}
 
 }  // namespace
 }  // namespace laver::test

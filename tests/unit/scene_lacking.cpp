@@ -1,4 +1,6 @@
 // What laver lacks is only warned of where the picture does not need it.
+#include "scene/schema.h"
+#include "scene/suggest.h"
 #include "support/scene_files.h"
 
 namespace laver::test {
@@ -23,9 +25,8 @@ TEST_F(SceneLacking, WhatTheIntegratorDoesNotNeedIsWarnedOf) {
           "\nf.xml:3:2: warning: laver has no test of type \"ttest\": it has none" + tail +
           "\nf.xml:4:2: warning: laver has no emitter of type \"sky\": expected \"pointlight\", "
           "\"point\", \"environment\", \"envmap\" or \"constant\" (nearest: \"point\")" +
-          tail +
-          "\nf.xml:5:58: warning: laver has no bsdf of type \"disney\": expected \"diffuse\"" +
-          tail +
+          tail + "\nf.xml:5:58: warning: laver has no bsdf of type \"disney\": expected " +
+          xml::expectedNames("disney", xml::knownTypes("bsdf")) + tail +
           "\nf.xml:5:91: warning: laver has no emitter of type \"area\": expected \"pointlight\", "
           "\"point\", \"environment\", \"envmap\" or \"constant\" (nearest: \"point\")" +
           tail + "\nf.xml:6:2: warning: unknown tag <subsurface>: the nearest is <bsdf>" + tail +

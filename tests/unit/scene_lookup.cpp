@@ -1,4 +1,6 @@
 // Where mesh files are found, and what the command line replaces.
+#include "scene/schema.h"
+#include "scene/suggest.h"
 #include "support/scene_files.h"
 
 namespace laver::test {
@@ -99,16 +101,19 @@ TEST(SceneLookup, PointAtInfinity) {
 TEST(SceneOverride, IntegratorMakesAnotherAWarningAndLightsUnneeded) {
   const SceneFiles files;
   files.write("t.obj", kTriangle);
-  const std::string xml = scene(mesh("\n<bsdf type=\"mirror\"/>"), "path_mis");
+  const std::string xml = scene(mesh("\n<bsdf type=\"disney\"/>"), "path_mis");
   EXPECT_EQ(files.warnings(xml, with(integrators::normals)),
             "f.xml:1:9: warning: laver has no integrator of type \"path_mis\": expected "
-            "\"normals\", \"direct_whitted\", \"depth\", \"av\" or \"ao\" (nearest: \"normals\"); "
+            "\"normals\", \"direct_whitted\", \"depth\", \"av\", \"ao\" or \"geometric_normals\" "
+            "(nearest: \"normals\"); "
             "ignored, "
             "integrator \"normals\" does not need it\n"
-            "f.xml:3:2: warning: laver has no bsdf of type \"mirror\": expected \"diffuse\"; "
-            "ignored, integrator \"normals\" does not need it");
+            "f.xml:3:2: warning: laver has no bsdf of type \"disney\": expected " +
+                xml::expectedNames("disney", xml::knownTypes("bsdf")) +
+                "; ignored, integrator \"normals\" does not need it");
   EXPECT_EQ(files.errors(xml, with(integrators::directWhitted)),
-            "f.xml:3:2: error: laver has no bsdf of type \"mirror\": expected \"diffuse\"");
+            "f.xml:3:2: error: laver has no bsdf of type \"disney\": expected " +
+                xml::expectedNames("disney", xml::knownTypes("bsdf")));
   EXPECT_TRUE(files.load(scene("", "depth"), with(integrators::normals))
                   .scene.integrator.is(integrators::normals));
 }

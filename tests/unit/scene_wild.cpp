@@ -50,7 +50,7 @@ TEST_F(SceneWild, DefaultsOfTheTableAreThoseOfTheStructs) {
   EXPECT_EQ(s.lights[0].position, PointLight().position);
   EXPECT_EQ(s.lights[0].radiance, PointLight().radiance);
   ASSERT_EQ(s.meshes.size(), 1u);
-  EXPECT_EQ(s.meshes[0].bsdf.albedo, Diffuse().albedo);
+  EXPECT_EQ(s.meshes[0].bsdf.albedo, Bsdf().albedo);
 }
 
 TEST_F(SceneWild, EveryValueReachesItsPlace) {

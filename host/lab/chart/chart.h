@@ -77,8 +77,6 @@ struct Chart {
   std::vector<MethodPoint> methods;
 };
 
-inline constexpr const char* kIndependent = "independent";
-
 /// The ways to render a scene by laver: every sampler, adaptively where it can, and `independent`
 /// by the traversals beside `chosen`, laver's own choice; then every peer, by `independent`.
 std::vector<Series> seriesFor(const std::string& chosen, const std::vector<Peer>& peers);

@@ -141,7 +141,7 @@ class Builder {
   }
 
   void addShadeLabel() {
-    if (!layout_.shades.empty())
+    if (!layout_.shades.empty() && layout_.shades[0].hi.y - layout_.shades[0].lo.y > kLine)
       addIfFree(label({frame_.lo.x + 5, frame_.hi.y - 5}, "below the reference's own error", kSmall,
                       false, kGrey));
   }

@@ -56,7 +56,7 @@ Scene sceneOf(const Options& options) {
 }
 
 void Measurement::probe(Chart& chart) const {
-  const Run run = runOnce({"", "laver", kIndependent, false, "", {}}, 0);
+  const Run run = runOnce({"", "laver", samplers::independent.name, false, "", {}}, 0);
   chart.device = run.stats.value("device", "");
   chart.driver = run.stats.value("driver", "");
   chart.traversal = run.stats.value("traversal", "");
@@ -112,9 +112,8 @@ void Measurement::finish(Series& series, std::size_t step, const Image& truth) {
   point.errors = errorsOf(image, truth);
   if (isJudged(series)) point.mismatches = judge(series, image);
   if (options_.say)
-    options_.say(fmt::format("{}, {:.4g} samples: {:.1f} ms, RMSE {:.3g}", series.name,
-                             point.samples, quantile(point.passSeconds, 0.5) * 1e3,
-                             point.errors.rmse));
+    options_.say(fmt::format("{}, {:.4g} spp: {:.1f} ms, RMSE {:.3g}", series.name, point.samples,
+                             quantile(point.passSeconds, 0.5) * 1e3, point.errors.rmse));
 }
 
 /// Compares a picture with the reference's of the same samples.

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "lab/chart/numbers.h"
+#include "scene/samplers.h"
 
 namespace laver::chart {
 namespace {
@@ -66,7 +67,7 @@ Panel traversalPanel(const Chart& chart) {
   Panel panel = errorPanel("Independent samples, traced in other ways", "rendering alone", chart);
   std::size_t laver = 0, peers = 0;
   for (const Series& series : chart.series) {
-    if (series.sampler != kIndependent || series.adaptive) continue;
+    if (series.sampler != samplers::independent.name || series.adaptive) continue;
     const bool own = series.program == "laver";
     const std::string& traversal = series.traversal.empty() ? chart.traversal : series.traversal;
     panel.curves.push_back(

@@ -1,15 +1,11 @@
 #include <fmt/format.h>
 
+#include "kernels/keys.h"
 #include "lab/chart/chart.h"
+#include "scene/samplers.h"
 
 namespace laver::chart {
 namespace {
-
-struct SamplerRow {
-  const char* name;
-  bool adaptive;  ///< takes --error
-};
-constexpr SamplerRow kSamplers[] = {{"independent", true}, {"stratified", false}, {"sobol", true}};
 
 constexpr double kErrors[] = {0.04, 0.02, 0.01, 0.005};
 /// Per pixel: so many that --error decides how many are taken.
@@ -18,21 +14,22 @@ constexpr const char* kAdaptiveLimit = "1024";
 }  // namespace
 
 std::vector<Series> seriesFor(const std::string& chosen, const std::vector<Peer>& peers) {
-  const std::string independent = kIndependent;
+  const std::string independent = samplers::independent.name;
   std::vector<Series> all;
-  for (const SamplerRow& sampler : kSamplers)
-    all.push_back({sampler.name, "laver", sampler.name, false, "", {}});
-  for (const SamplerRow& sampler : kSamplers)
-    if (sampler.adaptive)
+  for (const SamplerRow* sampler : samplerRows())
+    all.push_back({sampler->name, "laver", sampler->name, false, "", {}});
+  for (const SamplerRow* sampler : samplerRows())
+    if (sampler->adaptive)
       all.push_back(
-          {fmt::format("{}, adaptive", sampler.name), "laver", sampler.name, true, "", {}});
-  for (const char* traversal : {"lane", "packet32", "packet64"})
-    if (chosen != "lane" && chosen != traversal)  // a device of `lane` may have no other
-      all.push_back({fmt::format("{}, {}", independent, traversal),
+          {fmt::format("{}, adaptive", sampler->name), "laver", sampler->name, true, "", {}});
+  // A device that takes `lane` may have no other.
+  for (const Traversal traversal : {Traversal::Lane, Traversal::Packet32, Traversal::Packet64})
+    if (chosen != traversalName(Traversal::Lane) && chosen != traversalName(traversal))
+      all.push_back({fmt::format("{}, {}", independent, traversalName(traversal)),
                      "laver",
                      independent,
                      false,
-                     traversal,
+                     traversalName(traversal),
                      {}});
   for (const Peer& peer : peers) all.push_back({peer.name, peer.name, independent, false, "", {}});
   return all;

@@ -107,7 +107,7 @@ bool Judge::otherValue(dvec2 film, dvec2 numbers, double difference) const {
   };
   const double near = nearestDistance(film);
   const double step =
-      near == kInfinity ? rounding_.ofBackground(film) : rounding_.ofShadow(film, near);
+      near == kInfinity ? rounding_.ofBackground(film) : rounding_.ofShading(film, near);
   return std::ranges::any_of(kAround, [&](dvec2 around) {
     return differs(film + step * around, numbers) ||
            (drawsDirections(scene_) &&

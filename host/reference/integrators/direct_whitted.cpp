@@ -1,14 +1,14 @@
 #include <cmath>
-#include <numbers>
 
+#include "reference/bsdf.h"
 #include "reference/integrators.h"
 #include "reference/openness.h"
 #include "reference/texture.h"
 
 namespace laver::reference {
 
-/// Sum over point lights of radiance / r^2 * n.wi * albedo / pi, where n.wi > 0, n.wo > 0, r^2 > 0
-/// and nothing lies between; for a miss the background.
+/// Sum over point lights of radiance / r^2 * n.wo * BSDF, where n.wi > 0, n.wo > 0, r^2 > 0 and
+/// nothing lies between; for a miss the background.
 glm::dvec3 directWhitted(const CameraSample& sample) {
   const Scene& scene = sample.scene;
   glm::dvec3 sum(0.0);
@@ -24,7 +24,9 @@ glm::dvec3 directWhitted(const CameraSample& sample) {
     const double cosine = glm::dot(surface.shading, toLight) / std::sqrt(squared);
     if (cosine <= 0.0) continue;
     if (sample.world.blocked(offsetOrigin(surface, toLight), position)) continue;
-    sum += light.radiance / squared * cosine * surface.albedo / std::numbers::pi;
+    const BsdfPoint point{surface.mesh->bsdf, surface.albedo, surface.shading};
+    sum += light.radiance / squared * cosine *
+           point.bsdf.row->eval(point, glm::normalize(-sample.direction), glm::normalize(toLight));
   }
   return sum;
 }

@@ -6,6 +6,7 @@
 
 #include "core/numeric.h"
 #include "core/parallel.h"
+#include "reference/rounding.h"
 
 namespace laver::chart {
 namespace {
@@ -33,7 +34,7 @@ dvec3 normalOf(const shared::Triangle& t) {
 
 double errorOfNormal(const dvec3& truth, const glm::vec3& normal) {
   const dvec3 n(normal);
-  return std::min(glm::length(n - truth), glm::length(n + truth)) / 0x1p-24;
+  return std::min(glm::length(n - truth), glm::length(n + truth)) / kUnitRoundoff;
 }
 
 }  // namespace

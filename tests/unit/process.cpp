@@ -1,4 +1,4 @@
-#include "commands/standard_output.h"
+#include "commands/process.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -11,12 +11,12 @@ namespace laver::test {
 namespace {
 
 /// In a process without the standard descriptors of `closed`: 0 if files opened after
-/// occupyStandardDescriptors() take none of their places, and nothing can be written there.
+/// prepareProcess() take none of their places, and nothing can be written there.
 int withoutDescriptors(std::initializer_list<int> closed) {
   const pid_t process = fork();
   if (process == 0) {
     for (const int descriptor : closed) close(descriptor);
-    occupyStandardDescriptors();
+    prepareProcess();
     if (open("/dev/null", O_WRONLY) <= STDERR_FILENO) _exit(1);
     for (const int descriptor : closed)
       if (write(descriptor, "x", 1) != -1 || errno != EBADF) _exit(2);

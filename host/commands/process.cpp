@@ -1,7 +1,12 @@
-#include "commands/interruption.h"
+#include "commands/process.h"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <csignal>
+#include <iostream>
 
 namespace laver {
 namespace {
@@ -50,6 +55,26 @@ void Interruption::request() { note(SIGINT); }
 
 ExitCode Interruption::code() {
   return firstSignal == SIGTERM ? ExitCode::Terminated : ExitCode::Interrupted;
+}
+
+void prepareProcess() {
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  int descriptor = 0;
+  do {
+    descriptor = ::open("/dev/null", O_RDONLY);  // the lowest that is free
+  } while (descriptor >= 0 && descriptor <= STDERR_FILENO);
+  if (descriptor >= 0) ::close(descriptor);
+}
+
+void flushStandardOutput() {
+  if (!std::cout.flush()) throw Error(ExitCode::Output, "standard output cannot be written");
+}
+
+std::uint64_t peakBytes() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
 }
 
 }  // namespace laver

@@ -1,13 +1,19 @@
-#include "commands/metadata.h"
+#include "commands/output.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
+#include <fstream>
+#include <future>
+#include <iostream>
 #include <numbers>
 #include <optional>
+#include <span>
 
+#include "commands/resume.h"
+#include "core/atomic_file.h"
 #include "core/hash.h"
+#include "image/io.h"
 
 namespace laver {
 namespace {
@@ -20,8 +26,8 @@ std::string fileHash(const std::string& file) {
   return hash ? "xxh3:" + *hash : "none: not readable";
 }
 
-}  // namespace
-
+/// Camera space to normalised device coordinates: x from 0 at the left edge of the film to 1 at
+/// the right, y from 0 at the top, z from 0 at the near to 1 at the far plane.
 glm::dmat4 cameraToNdc(const Camera& camera) {
   const double t = std::tan(camera.fov * std::numbers::pi / 360.0);
   const double aspect = static_cast<double>(camera.width) / camera.height;
@@ -32,6 +38,24 @@ glm::dmat4 cameraToNdc(const Camera& camera) {
   m[2] = {0.5, 0.5, depth, 1.0};
   m[3][2] = -camera.nearClip * depth;
   return m;
+}
+
+}  // namespace
+
+void print(const RenderCommand& command, const std::string& text) {
+  if (!command.quiet) std::cout << text;
+}
+
+std::filesystem::path outputOf(const RenderCommand& command) {
+  std::filesystem::path exr = command.output;
+  if (exr.empty()) exr = std::filesystem::path(command.scene).replace_extension(".exr");
+  if (exr.extension() != ".exr")
+    throw Error(ExitCode::Usage,
+                fmt::format("-o {}: expected a name that ends in .exr", exr.string()));
+  checkReplaceable(exr.string());
+  checkReplaceable(std::filesystem::path(exr).replace_extension(".png").string());
+  if (command.resume) checkReplaceable(statePath(exr).string());
+  return exr;
 }
 
 Metadata metadataOf(const Scene& scene, const Rendered& rendered, const Stats& stats,
@@ -58,6 +82,28 @@ Metadata metadataOf(const Scene& scene, const Rendered& rendered, const Stats& s
     metadata["rowsComplete"] = rendered.reached.wholeRows;
   }
   return metadata;
+}
+
+void writePictures(const std::filesystem::path& exr, const Image& image, const Metadata& metadata,
+                   unsigned threads) {
+  const std::string png = std::filesystem::path(exr).replace_extension(".png").string();
+  auto pngDone = std::async(std::launch::async, [&] { writePng(png, image); });
+  writeExr(exr.string(), image, metadata, threads);
+  pngDone.get();
+}
+
+void writeStats(const RenderCommand& command, const Stats& stats) {
+  if (command.stats == RenderCommand::kToStderr) std::cerr << stats.text();
+  if (command.stats.empty() || command.stats == RenderCommand::kToStderr) return;
+  const std::string text = stats.json().dump(2) + '\n';
+  std::error_code error;
+  const auto status = std::filesystem::status(command.stats, error);
+  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) {
+    replaceFile(command.stats, std::as_bytes(std::span(text)));
+    return;
+  }
+  std::ofstream file(command.stats);  // such as a pipe
+  if (!(file << text).flush()) throw Error(ExitCode::Output, command.stats + ": cannot be written");
 }
 
 }  // namespace laver

@@ -1,0 +1,210 @@
+#include "commands/cli.h"
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+#include "commands/cli_values.h"
+#include "commands/process.h"
+#include "show/view.h"
+
+namespace laver {
+namespace {
+
+constexpr std::uint32_t kMaxSamples = 1U << 20;
+
+CLI::Option* addScene(CLI::App& app, std::string& scene) {
+  return app.add_option("SCENE.xml", scene, "Nori scene")->type_name("");
+}
+
+void addThreads(CLI::App& app, unsigned& threads) {
+  app.add_option("-t,--threads", threads, "threads, 0 for all")->check(CLI::Range(0U, 4096U));
+}
+
+void addDevice(CLI::App& app, VulkanOptions& vulkan) {
+  app.add_option("--device", vulkan.device, "index, part of the name, or cpu");
+  app.add_option("--traversal", vulkan.traversal, "lane, packet, packet32 or packet64");
+}
+
+/// A name of the table, or a file of the user's own.
+Names<IntegratorUse> integratorNames() {
+  const auto find = [](const std::string& name) -> std::optional<IntegratorUse> {
+    if (name.ends_with(".glsl")) return userIntegrator(name);
+    const IntegratorRow* row = rowCalled(integratorRows(), name);
+    return row == nullptr ? std::nullopt : std::optional(IntegratorUse{row});
+  };
+  return {find, namesOf(integratorRows()) + ", or a file FILE.glsl of one's own"};
+}
+
+/// What replaces a part of the scene.
+void addOverrides(CLI::App& app, SceneCommand& command) {
+  SceneOverrides& overrides = command.overrides;
+  app.add_option("--spp", overrides.sampleCount, "samples a pixel")
+      ->check(CLI::Range(1U, kMaxSamples));
+  app.add_option("--seed", overrides.seed, "seed of the sampler");
+  addSize(app, overrides.size, "size of the film in pixels");
+  const Names<IntegratorUse> integrators = integratorNames();
+  addNames(app, "--integrator",
+           integrators.all + "; further ones, after commas, go beside it as layers", integrators,
+           [&command](const std::vector<IntegratorUse>& all) {
+             command.overrides.integrator = all.front();
+             command.options.more.assign(all.begin() + 1, all.end());
+           });
+  addName(app, "--sampler", "", namesIn(samplerRows()),
+          [&overrides](const SamplerRow* row) { overrides.sampler = row; });
+  addName(app, "--filter", "reconstruction filter: ", namesIn(filterRows()),
+          [&overrides](const FilterRow* row) { overrides.filter = row; });
+}
+
+/// How a scene is rendered.
+void addSceneCommand(CLI::App& app, SceneCommand& command) {
+  RenderOptions& options = command.options;
+  addOverrides(app, command);
+  app.add_option("--error", options.error,
+                 "adaptive sampling: stop where a pixel's standard error, 1 being white, is below "
+                 "E; --spp is the most a pixel gets")
+      ->type_name("E")
+      ->check(CLI::PositiveNumber & CLI::Range(0.0, 1e6));
+  addNames(app, "--layers", "layers of the EXR file: " + layers().all, layers(),
+           [&options](const std::vector<Layer>& all) { options.layers = all; });
+  addCrop(app, options.crop);
+  addDevice(app, command.vulkan);
+  app.add_flag("--nori-compat", options.noriCompat,
+               "as Nori: filter weights from a table, pictures of 8 bits taken for linear");
+  addThreads(app, options.threads);
+}
+
+void addRender(CLI::App& app, RenderCommand& command) {
+  app.add_option("SCENE.xml", command.scene, "Nori scene, or a picture, FILE.exr, to view")
+      ->type_name("");
+  addSceneCommand(app, command);
+  app.add_option("-o,--output,--outfile", command.output, "picture to write; a .png goes beside it")
+      ->type_name("OUT.exr");
+  app.add_flag("--reference", command.reference, "render in double precision on the CPU");
+  app.add_flag("--resume", command.resume,
+               "go on from OUT.state.exr if there is one, and leave one to go on from");
+  app.add_flag("--validate", command.vulkan.validate, "make every validation message an error");
+  app.add_flag("--stats{-}", command.stats, "print figures to stderr, or write them to a file")
+      ->option_text("[=FILE.json]");
+  app.add_option_function<std::string>(
+         "--display-server",
+         [&](const std::string& text) { command.displayServer = viewerAddress(text); },
+         "show the picture in tev or HDRView while it renders")
+      ->type_name("HOST:PORT");
+  app.add_flag("-q,--quiet", command.quiet, "print nothing but warnings and errors");
+  app.add_flag("--gui", command.gui, "show the picture in a window while it renders");
+  app.add_flag_callback(
+      "-b,--nogui,--no-gui", [&] { command.gui = false; },
+      "no window, whatever --gui says; the default");
+}
+
+void addPlan(CLI::App& app, PlanCommand& command) {
+  addScene(app, command.scene)->required();
+  addSceneCommand(app, command);
+  app.add_flag("--json", command.json, "print JSON");
+}
+
+void addCompare(CLI::App& app, CompareCommand& command) {
+  app.add_option("A.exr", command.a, "picture")->type_name("")->required();
+  app.add_option("B.exr", command.b, "reference")->type_name("")->required();
+  app.add_option("--tolerance", command.tolerance,
+                 "exit code 5 if the metric of a channel is beyond it");
+  app.add_option("--metric", command.metric, "what the tolerance bounds")
+      ->check(CLI::IsMember({"max", "p999", "rmse", "relmse"}));
+  app.add_option("--out", command.out, "folder for difference.exr and difference.png")
+      ->type_name("DIR");
+}
+
+void addExplain(CLI::App& app, ExplainCommand& command) {
+  addScene(app, command.scene)->required();
+  addDevice(app, command.vulkan);
+}
+
+void addView(CLI::App& app, ViewCommand& command) {
+  app.add_option("A.exr", command.a, "picture")->type_name("")->required();
+  app.add_option("B.exr", command.b, "picture to hold against it")->type_name("");
+  app.footer(viewKeys());
+}
+
+void addChart(CLI::App& app, ChartCommand& command) {
+  addScene(app, command.scene)->required();
+  app.add_option("--out", command.out, "folder of the chart; default SCENE-chart beside the scene")
+      ->type_name("DIR");
+  addSize(app, command.size, "size of the film in pixels; default 256 wide");
+  app.add_option("--device", command.device, "as in rendering");
+  addThreads(app, command.threads);
+  app.add_option("--runs", command.runs, "renders of each point; the median counts")
+      ->check(CLI::Range(1U, 1000U));
+  app.add_option("--spp", command.samples, "samples per pixel at most")
+      ->check(CLI::Range(1U, kMaxSamples));
+  app.add_option("--reference-spp", command.referenceSamples,
+                 "samples per pixel of each half of the reference")
+      ->check(CLI::Range(1U, kMaxSamples));
+  app.add_option("--peer", command.peers,
+                 "another renderer that takes laver's options; may be repeated")
+      ->type_name("NAME COMMAND")
+      ->type_size(2)
+      ->expected(1, 1000);
+  app.add_flag("-q,--quiet", command.quiet, "print nothing but warnings and errors");
+}
+
+void addSchema(CLI::App& app, SchemaCommand& command) {
+  app.add_flag("--json", command.json, "as JSON");
+  app.add_flag("--markdown", command.markdown, "as tables of a Markdown document");
+}
+
+/// Adds a subcommand; where it is given, it is the job.
+template <class Command>
+void addSubcommand(CLI::App& app, const char* name, const char* meaning,
+                   void (*addOptions)(CLI::App&, Command&), Job& job) {
+  const auto command = std::make_shared<Command>();
+  CLI::App* const sub = app.add_subcommand(name, meaning);
+  addOptions(*sub, *command);
+  sub->callback([&job, command] { job = *command; });
+}
+
+void addNothing(CLI::App& /*app*/, DevicesCommand& /*command*/) {}
+
+}  // namespace
+
+Job parse(int argc, const char* const* argv) {
+  CLI::App app("Renders Nori scenes with Vulkan compute.", "laver");
+  app.set_version_flag("--version", std::string("laver ") + LAVER_VERSION);
+  RenderCommand render;
+  addRender(app, render);
+  Job job;
+  addSubcommand(app, "compare", "Measures how a picture differs from another", addCompare, job);
+  addSubcommand(app, "explain", "Renders a scene and explains each difference from the reference",
+                addExplain, job);
+  addSubcommand(app, "view", "Shows one or two pictures in a window", addView, job);
+  addSubcommand(app, "chart", "Draws speed against accuracy of all ways to render a scene",
+                addChart, job);
+  addSubcommand(app, "devices", "Lists Vulkan devices", addNothing, job);
+  addSubcommand(app, "plan",
+                "Prints how a scene would be rendered, what is left out and why, without rendering",
+                addPlan, job);
+  addSubcommand(app, "schema", "Lists all that a scene file may hold", addSchema, job);
+  app.require_subcommand(0, 1);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0) throw Error(ExitCode::Usage, error.what());
+    std::ostringstream text;
+    app.exit(error, text, text);
+    return HelpCommand{text.str()};
+  }
+  if (!app.get_subcommands().empty()) return job;
+  if (render.scene.empty()) throw Error(ExitCode::Usage, "no scene given; see laver --help");
+  if (std::filesystem::path(render.scene).extension() == ".exr")
+    return ViewCommand{render.scene, {}};
+  return render;
+}
+
+ExitCode run(const HelpCommand& command) {
+  std::cout << command.text;
+  flushStandardOutput();
+  return ExitCode::Ok;
+}
+
+}  // namespace laver

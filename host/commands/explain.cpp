@@ -1,0 +1,20 @@
+#include "lab/explain/explain.h"
+
+#include <iostream>
+
+#include "commands/commands.h"
+#include "commands/process.h"
+#include "commands/scene_command.h"
+
+namespace laver {
+
+/// A difference that nothing explains is as bad as one beyond a tolerance.
+ExitCode run(const ExplainCommand& command) {
+  const Scene scene = sceneOf(command.scene);
+  const Explanation explanation = explain(scene, scene, command.vulkan);
+  std::cout << describe(explanation);
+  flushStandardOutput();
+  return explanation.unexplained() == 0 ? ExitCode::Ok : ExitCode::Different;
+}
+
+}  // namespace laver

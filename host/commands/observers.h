@@ -1,0 +1,62 @@
+#pragma once
+#include <chrono>
+#include <functional>
+#include <string>
+
+#include "core/error.h"
+#include "render/observer.h"
+#include "show/viewed_pictures.h"
+
+namespace laver {
+
+/// A line on stderr with the share done, elapsed and remaining time; only on a terminal, and at
+/// most ten times a second. Its end wipes the line.
+class Progress : public Observer {
+ public:
+  explicit Progress(bool wanted);
+  ~Progress() override;
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void progress(double share, std::uint64_t samples) override;
+  void finished(const Image& /*picture*/) override { wipe(); }
+  /// Makes room for a line of something else.
+  void wipe();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool active_;
+  bool shown_ = false;
+  Clock::time_point start_ = Clock::now(), last_ = start_;
+};
+
+/// Shows a render in a window.
+class WindowReport : public Observer {
+ public:
+  /// The picture is black at first.
+  WindowReport(ViewedPictures& pictures, const std::string& name, int width, int height);
+
+  void started(const std::string& device) override { last_.device = device; }
+  void progress(double share, std::uint64_t samples) override;
+  void rowsChanged(const Image& picture, int first, int end) override {
+    pictures_.rowsChanged(picture, first, end);
+  }
+  void finished(const Image& picture) override;
+  double timeShare() const override { return 0.01; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  ViewedPictures& pictures_;
+  const Clock::time_point start_ = Clock::now();
+  ViewedPictures::Rendering first_, last_;  ///< from the first on the device is at work
+  std::uint64_t firstSamples_ = 0;
+};
+
+/// Runs `render` on a thread of its own and shows in a window what it adds to the pictures, until
+/// the window is closed, which ends a render as Ctrl-C does, or `render` throws. Without a window
+/// there is a warning. Returns or throws what `render` does.
+ExitCode runInWindow(const std::string& title,
+                     const std::function<ExitCode(ViewedPictures&)>& render);
+
+}  // namespace laver

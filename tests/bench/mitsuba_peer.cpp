@@ -1,0 +1,61 @@
+// tests/bench/mitsuba_peer.py: Mitsuba 3 as a peer of `laver chart`.
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "image/io.h"
+#include "lab/chart/errors.h"
+#include "pictures/command_line.h"
+
+namespace laver::test {
+namespace {
+
+constexpr const char* kScript = LAVER_SOURCE_DIR "/tests/bench/mitsuba_peer.py";
+constexpr const char* kScene = LAVER_SOURCE_DIR "/scenes/bunny-whitted.xml";
+
+class MitsubaPeer : public CommandLine {
+ protected:
+  Outcome peer(const std::string& arguments) {
+    const std::string command =
+        "cd " + folder_.string() + " && " + arguments + " >out.txt 2>err.txt";
+    const int status = std::system(command.c_str());
+    return {WEXITSTATUS(status), contents(folder_ / "out.txt"), contents(folder_ / "err.txt")};
+  }
+  Image picture(const std::string& file) { return chart::rgbOf(readExr(path(file)), file); }
+};
+
+TEST_F(MitsubaPeer, SaysInOneLineThatMitsubaIsNotInstalled) {
+  // -S: without packages, installed or not.
+  const Outcome run =
+      peer(std::string("python3 -S ") + kScript + " --variant scalar_rgb " + kScene + " -o p.exr");
+  EXPECT_EQ(run.code, 69);
+  EXPECT_EQ(run.err, "mitsuba_peer.py: Mitsuba 3 is not installed: pip install mitsuba\n");
+}
+
+#ifdef LAVER_MITSUBA_PYTHON
+TEST_F(MitsubaPeer, ConvergesToLaversPictureAsFastAsLaver) {
+  const std::string common = std::string(" '") + kScene + "' --size 64x64 ";
+  ASSERT_EQ(laver(common + "--sampler sobol --spp 4096 -o true.exr --quiet").code, 0);
+  ASSERT_EQ(laver(common + "--sampler independent --spp 256 -o laver.exr --quiet").code, 0);
+  const Image truth = picture("true.exr");
+  const double noise = chart::errorsOf(picture("laver.exr"), truth).rmse;
+  for (const char* variant : {"scalar_rgb", "llvm_ad_rgb"}) {
+    SCOPED_TRACE(variant);
+    const Outcome run =
+        peer(std::string(LAVER_MITSUBA_PYTHON " ") + kScript + common + "--spp 256 " +
+             "--variant " + variant + " -o peer.exr --stats=peer.json --quiet");
+    ASSERT_EQ(run.code, 0) << run.err;
+    Image image = picture("peer.exr");
+    // Errors of equal samples: of other random numbers, 0.98 and 1.15 times laver's were seen.
+    EXPECT_LT(chart::errorsOf(image, truth).rmse, 1.5 * noise);
+    for (float& value : image.pixels) value *= 1.02F;  // lights of another brightness would be seen
+    EXPECT_GT(chart::errorsOf(image, truth).rmse, 1.5 * noise);
+    const auto stats = nlohmann::json::parse(contents(folder_ / "peer.json"));
+    EXPECT_GT(stats["seconds"]["trace"], 0.0);
+    EXPECT_GT(stats["seconds"]["process"], 0.1);
+    EXPECT_EQ(stats["samples"]["total"], 64 * 64 * 256);
+  }
+}
+#endif
+
+}  // namespace
+}  // namespace laver::test
