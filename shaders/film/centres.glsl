@@ -13,7 +13,7 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
     if (HAS_SPHERES) {
       if (c.w == IS_SPHERE) p = sphereHitAt(rays.origin[r], d, rays.tmin[r], texelVec3(a), b.x);
     }
-    precise float distance = p.t * sqrt(dotProduct(d, d)) * params.sceneUnits;
+    const float distance = sceneLength(p.t, d);
     if (rays.isActive[r])
       filmPixels[place.y * pass.region.z + place.x] =
           FilmPixel(vec4(p.position, hit ? distance : 0.0),

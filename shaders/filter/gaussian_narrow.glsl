@@ -3,6 +3,12 @@
 // filter/gaussian.glsl.
 #include "filter/exp.glsl"
 
+// A function, as in filter/away.glsl.
+float preciseProduct(float a, float b) {
+  precise float product = a * b;
+  return product;
+}
+
 void filterWeights(float x, out float w[REACH]) {
   const float alpha = params.filterShape.x;
   const bool dropped = abs(x) > 1.0;
@@ -12,11 +18,11 @@ void filterWeights(float x, out float w[REACH]) {
   precise float right = dropped ? 0.0 : expOf(alpha * inside * inside), left = right;
   w[APRON] = right;
   [[unroll]] for (uint k = 1u; k <= APRON; ++k) {
-    right *= up;
-    left *= down;
+    right = preciseProduct(right, up);
+    left = preciseProduct(left, down);
     const float centre = params.filterTable[k / 4u][k % 4u];
-    w[APRON + k] = right * centre;
-    w[APRON - k] = left * centre;
+    w[APRON + k] = preciseProduct(right, centre);
+    w[APRON - k] = preciseProduct(left, centre);
   }
   // Beyond the radius a weight is below zero, as all are of a sample that is DROPPED.
   [[unroll]] for (uint k = 0u; k < REACH; ++k) w[k] = max(w[k] - params.filterShape.y, 0.0);

@@ -4,7 +4,6 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
     if (hits.slot[r] == NO_HIT) continue;
     const vec3 d = rays.direction[r];
     const Surface s = surfaceAt(rays.origin[r], d, hits.slot[r]);
-    precise float distance = s.t * sqrt(dotProduct(d, d)) * params.sceneUnits;
-    radiance[r] = vec3(1.0 / distance);
+    radiance[r] = vec3(1.0 / sceneLength(s.t, d));
   }
 }

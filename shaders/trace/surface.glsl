@@ -55,3 +55,9 @@ vec3 offsetOrigin(Surface s, vec3 direction) {
   const float side = dotProduct(s.geometric, direction) < 0.0 ? -s.offset : s.offset;
   return s.position + s.geometric * side;
 }
+
+// Length of t * direction in scene units.
+float sceneLength(float t, vec3 direction) {
+  precise float length = t * sqrt(dotProduct(direction, direction)) * params.sceneUnits;
+  return length;
+}

@@ -128,6 +128,22 @@ class Divergence {
   std::string function_, merge_;
 };
 
+/// Whether a line stands in a loop that is to be unrolled.
+class UnrolledLoops {
+ public:
+  void read(const std::string& line) {
+    std::istringstream words(line);
+    std::string first, second, third, control;
+    words >> first >> second >> third >> control;
+    if (first == "OpLoopMerge" && control == "Unroll") open_.push_back(second);
+    if (third == "OpLabel") open_.erase(std::find(open_.begin(), open_.end(), first), open_.end());
+  }
+  bool inside() const { return !open_.empty(); }
+
+ private:
+  std::vector<std::string> open_;  // labels where those end that are open
+};
+
 }  // namespace
 
 KernelCounts countOf(const std::string& disassembly) {
@@ -136,12 +152,14 @@ KernelCounts countOf(const std::string& disassembly) {
   std::set<std::string> decorated, longs;
   FunctionCounts* current = nullptr;
   Divergence divergence;
+  UnrolledLoops unrolled;
   std::istringstream lines(disassembly);
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
     std::string first, second, third;
     words >> first >> second;
     divergence.read(line);
+    unrolled.read(line);
     if (first == "OpName") {
       std::string quoted;
       words >> quoted;
@@ -170,6 +188,7 @@ KernelCounts countOf(const std::string& disassembly) {
       if (isArithmetic(third)) {
         ++current->arithmetic;
         current->decorated += decorated.contains(first) ? 1 : 0;
+        current->unrolled += decorated.contains(first) && unrolled.inside() ? 1 : 0;
       } else if (third == "OpExtInst") {
         words >> type >> set >> function;
         if (function == "FMin" || function == "FMax" || function == "FClamp")
@@ -198,6 +217,9 @@ std::vector<std::string> lint(const KernelCounts& kernel, bool packet) {
     if (counts.nanSensitive != 0 && !kMayCompare.contains(name))
       faults.push_back(fmt::format("{}: {} of FMin, FMax, FClamp without a stated reason", name,
                                    counts.nanSensitive));
+    if (counts.unrolled != 0)
+      faults.push_back(fmt::format("{}: {} NoContraction instructions in a loop that is unrolled",
+                                   name, counts.unrolled));
     if (counts.divergent != 0)
       faults.push_back(fmt::format("{}: {} group operations where lanes may be missing", name,
                                    counts.divergent));

@@ -9,6 +9,7 @@ namespace laver::test {
 struct FunctionCounts {
   int arithmetic = 0;    ///< float +, -, *, /, negation, dot: what a driver may contract
   int decorated = 0;     ///< of these, with NoContraction
+  int unrolled = 0;      ///< of those, in a loop marked for unrolling, which drops NoContraction
   int nanSensitive = 0;  ///< FMin, FMax, FClamp: undefined where an operand is NaN
   int divergent = 0;  ///< group operations, also by calls, in an arm of an `if` or of a `?:` that
                       ///< no constant decides: lanes may be missing
