@@ -66,8 +66,8 @@ void addSceneCommand(CLI::App& app, SceneCommand& command) {
                  "E; --spp is the most a pixel gets")
       ->type_name("E")
       ->check(CLI::PositiveNumber & CLI::Range(0.0, 1e6));
-  addNames(app, "--layers", "layers of the EXR file: " + layers().all, layers(),
-           [&options](const std::vector<Layer>& all) { options.layers = all; });
+  addNames(app, "--layers", "layers of the EXR file: " + namesOf(layerRows(), ", "),
+           namesIn(layerRows()), [&options](const Rows<LayerRow>& all) { options.layers = all; });
   addCrop(app, options.crop);
   addDevice(app, command.vulkan);
   app.add_flag("--nori-compat", options.noriCompat,

@@ -33,10 +33,6 @@ Names<const Row*> namesIn(const Rows<Row>& rows) {
   return {find, namesOf(rows)};
 }
 
-inline Names<Layer> layers() {
-  return {layerFromName, fmt::format("{}", fmt::join(layerNames(), ", "))};
-}
-
 template <class T>
 CLI::Validator isOneOf(const Names<T>& names) {
   const auto check = [names](const std::string& name) {

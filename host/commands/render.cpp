@@ -69,8 +69,8 @@ std::vector<std::unique_ptr<Observer>> watchersOf(const RenderCommand& command,
 RenderOptions optionsOf(const RenderCommand& command, std::vector<Observer*> observers,
                         const std::vector<std::unique_ptr<Observer>>& watchers) {
   RenderOptions options = command.options;
-  if (options.error > 0.0 && !asks(options.layers, Layer::Samples))
-    options.layers.push_back(Layer::Samples);
+  if (options.error > 0.0 && !asks(options.layers, layers::samples))
+    options.layers.push_back(&layers::samples);
   options.observers = std::move(observers);
   for (const auto& watcher : watchers) options.observers.push_back(watcher.get());
   return options;

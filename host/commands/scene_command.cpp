@@ -49,7 +49,7 @@ std::size_t layerChannels(const RenderOptions& options) {
   std::size_t count = centreChannels(options.layers).size();
   for (const Shown& shown : shownBeside(options.more, options.layers))
     count += shown.channels.size();
-  return count + (asks(options.layers, Layer::Samples) ? 1 : 0);
+  return count + (asks(options.layers, layers::samples) ? 1 : 0);
 }
 
 /// The picture and its files are made in memory; measured at 16384 x 16384: 20 bytes a pixel. Sums
@@ -71,7 +71,7 @@ void checkMemory(const RenderCommand& command, const Camera& camera) {
 }
 
 void warnOfMissingUvs(const RenderOptions& options, const Scene& scene) {
-  if (!asks(options.layers, Layer::Uv)) return;
+  if (!asks(options.layers, layers::uv)) return;
   for (const Mesh& mesh : scene.meshes)
     if (mesh.uvs.empty() && !mesh.sphere)
       std::cerr << fmt::format(

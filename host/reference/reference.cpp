@@ -78,8 +78,8 @@ Rendered Reference::render(const RenderOptions& options) const {
     parts.push_back(std::move(one.image));
   }
   if (!centreChannels(options.layers).empty()) parts.push_back(centres(options));
-  if (asks(options.layers, Layer::Samples)) {
-    parts.push_back(blackImage(width, height, {"samples"}));
+  if (asks(options.layers, layers::samples)) {
+    parts.push_back(blackImage(width, height, layers::samples.channels));
     const std::uint32_t wanted = impl_->scene.sampler.sampleCount;
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x)

@@ -30,9 +30,8 @@ glm::dvec3 pixel(const Picture& picture, bool raw, int x, int y) {
   return color;
 }
 
-// Weight 1 - |distance| on each axis for the pixels whose centres are less than 1 away from the
-// place x, y in pixels. Beyond the left and the right border it repeats; beyond the others it
-// repeats or the border goes on.
+}  // namespace
+
 glm::dvec3 interpolated(const Picture& picture, bool raw, double x, double y, bool repeats) {
   const int width = widthOf(picture), height = heightOf(picture);
   const auto within = [](std::int64_t i, int size) {
@@ -53,32 +52,10 @@ glm::dvec3 interpolated(const Picture& picture, bool raw, double x, double y, bo
   return sum;
 }
 
-bool odd(double x) { return std::fmod(std::abs(std::floor(x)), 2.0) == 1.0; }
-
-}  // namespace
-
 glm::dvec3 albedoAt(const Bsdf& bsdf, glm::dvec2 uv) {
   if (!bsdf.texture) return bsdf.albedo;
   const Texture& texture = *bsdf.texture;
-  const glm::dvec2 st = texture.scale * uv + texture.offset;
-  if (texture.kind == Texture::Kind::Checker) return texture.colors[odd(st.x) == odd(st.y) ? 0 : 1];
-  if (!texture.image) return texture.colors[0];
-  // Whole repetitions change nothing.
-  const double s = st.x - std::floor(st.x), t = st.y - std::floor(st.y);
-  return texture.colors[0] * interpolated(*texture.image, texture.raw, s * widthOf(*texture.image),
-                                          (1.0 - t) * heightOf(*texture.image), true);
-}
-
-glm::dvec3 backgroundAt(const Environment& environment, const glm::dvec3& direction) {
-  if (!environment.image) return environment.radiance;
-  const glm::dvec3 d =
-      glm::normalize(glm::inverse(glm::dmat3(environment.toWorld)) * glm::normalize(direction));
-  constexpr double pi = std::numbers::pi;
-  const double longitude = std::atan2(d.x, -d.z);
-  const double colatitude = std::atan2(std::hypot(d.x, d.z), d.y);
-  return environment.radiance * interpolated(*environment.image, environment.raw,
-                                             longitude / (2 * pi) * widthOf(*environment.image),
-                                             colatitude / pi * heightOf(*environment.image), false);
+  return texture.row->color(texture, texture.scale * uv + texture.offset);
 }
 
 }  // namespace laver::reference

@@ -32,7 +32,8 @@ bool finite(const LongVec& v) {
 }  // namespace
 
 World::World(const Scene& scene, unsigned threads)
-    : scene_(&scene), box_(boxOf(scene)), tree_(gather(), threads) {
+    : scene_(&scene), box_(boxOf(scene)), lights_(scene.lights), tree_(gather(), threads) {
+  for (PointLight& light : lights_) light.position -= centre();
   std::uint64_t count = 0;
   for (const Mesh& mesh : scene.meshes) {
     first_.push_back(count);

@@ -41,6 +41,8 @@ class World {
   World(const Scene& scene, unsigned threads);
 
   glm::dvec3 centre() const { return 0.5 * box_.lo + 0.5 * box_.hi; }
+  /// The scene's point lights, relative to the centre.
+  const std::vector<PointLight>& lights() const { return lights_; }
   /// Farther than any two points of the meshes are apart.
   double extent() const { return 2.0 * glm::length(box_.hi - box_.lo); }
   /// The first hit with t in [tmin, tmax]; of equal ones that of the smallest number.
@@ -60,6 +62,7 @@ class World {
   std::vector<std::uint64_t> first_;  // number of each mesh's first triangle
   Box box_;
   std::vector<Ball> balls_;
+  std::vector<PointLight> lights_;
   Tree tree_;
 };
 

@@ -111,10 +111,10 @@ KernelProperty constantOf(const NamedValue& property) {
 
 TraceKey keyOf(const Scene& scene, const RenderOptions& options, const IntegratorUse& shown) {
   const IntegratorRow& row = *shown.row;
-  const bool surfaces = shown.user || !row.needs.lights || !scene.lights.empty();
+  const bool surfaces = !row.litOnly || !scene.lights.empty();
   TraceKey key;
   key.integrator = row.name;
-  key.camera = "perspective";
+  key.camera = scene.camera.row->name;
   key.sampler = scene.sampler.row->name;
   key.stack = likelyStack(scene);
   if (scene.sampler.row->stream) key.jumpLevels = jumpLevels(scene.sampler.sampleCount);

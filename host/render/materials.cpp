@@ -6,17 +6,20 @@ namespace laver {
 
 std::string bsdfName(const Mesh& mesh) { return mesh.bsdf.row->name; }
 
-std::string textureName(const Texture& texture) {
-  return texture.kind == Texture::Kind::Checker ? "checker" : "bitmap";
-}
+std::string textureName(const Texture& texture) { return texture.row->name; }
 
 const std::vector<std::string>& allTextureNames() {
-  static const std::vector<std::string> names = {"bitmap", "checker"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const TextureRow* row : textureRows()) all.emplace_back(row->name);
+    std::sort(all.begin(), all.end());
+    return all;
+  }();
   return names;
 }
 
 bool shows(const std::optional<Texture>& texture) {
-  return texture && (texture->kind == Texture::Kind::Checker || texture->image);
+  return texture && (!texture->row->picture || texture->image);
 }
 
 bool hasNumbers(const Mesh& mesh) { return !numbersOf(mesh.bsdf).empty(); }

@@ -18,11 +18,11 @@ struct Crop {
 struct RenderOptions {
   std::optional<Crop> crop;  ///< default: the whole film; the picture has the crop's size
   std::vector<IntegratorUse>
-      more;                   ///< further pictures from the same upload, each in channels NAME.*
-  std::vector<Layer> layers;  ///< shown beside the picture
-  bool noriCompat = false;    ///< filter weights from Nori's 32-entry table
-  double error = 0.0;         ///< adaptive sampling to this error (render/sample_map.h); 0: none
-  unsigned threads = 0;       ///< host threads, 0: all
+      more;                 ///< further pictures from the same upload, each in channels NAME.*
+  Rows<LayerRow> layers;    ///< shown beside the picture
+  bool noriCompat = false;  ///< filter weights from Nori's 32-entry table
+  double error = 0.0;       ///< adaptive sampling to this error (render/sample_map.h); 0: none
+  unsigned threads = 0;     ///< host threads, 0: all
   std::vector<Observer*> observers;  ///< outlive the render
 };
 

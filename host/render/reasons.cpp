@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "render/sample_map.h"
-#include "scene/texture.h"
 #include "shared/layout.h"
 
 namespace laver {

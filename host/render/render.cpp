@@ -44,7 +44,7 @@ class Loop {
       parts.push_back(std::move(image_));
     }
     state_.dropped += frame_.dropped();
-    if (asks(task_.options.layers, Layer::Samples))
+    if (asks(task_.options.layers, layers::samples))
       parts.push_back(samplesLayer(parts.front(), ofFirst));
     return {joined(std::move(parts)), ofFirst, state_.dropped};
   }

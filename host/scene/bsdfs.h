@@ -6,7 +6,7 @@
 
 #include "scene/property.h"
 #include "scene/rows.h"
-#include "scene/texture.h"
+#include "scene/textures.h"
 
 namespace laver {
 

@@ -1,16 +1,13 @@
 #include <fmt/format.h>
 
+#include "scene/dump.h"
 #include "scene/scene.h"
 
 namespace laver {
 namespace {
 
-// No negative zero.
-double plain(double x) { return x == 0.0 ? 0.0 : x; }
-
-std::string triple(const glm::dvec3& v) {
-  return fmt::format("[{:g}, {:g}, {:g}]", plain(v.x), plain(v.y), plain(v.z));
-}
+using dump::plain;
+using dump::triple;
 
 // Rows, the later ones under the first number.
 std::string rows(const glm::dmat4& m, std::size_t column) {
@@ -25,9 +22,15 @@ std::string rows(const glm::dmat4& m, std::size_t column) {
 
 std::string describeIntegrator(const IntegratorUse& use) {
   std::string properties;
-  for (const PropertyRow& property : use.row->properties)
-    properties += fmt::format("{}{}={:g}", properties.empty() ? "" : ", ", property.name,
-                              use.real(property.name));
+  const auto add = [&](const std::string& name, const Value& value) {
+    const auto* real = std::get_if<double>(&value);
+    properties += fmt::format("{}{}={}", properties.empty() ? "" : ", ", name,
+                              real != nullptr ? fmt::format("{:g}", *real) : textOf(value));
+  };
+  for (const PropertyRow& row : use.row->properties)
+    add(row.name, valueOf(use.row->properties, use.values, row.name));
+  if (use.user)
+    for (const NamedValue& value : use.values) add(value.name, value.value);
   return fmt::format("{}[{}]", use.row->object, properties);
 }
 
@@ -47,14 +50,14 @@ std::string describeSampler(const Sampler& sampler) {
 std::string describeCamera(const Camera& camera, const Filter& filter) {
   const std::string key = "    cameraToWorld = ";
   return fmt::format(
-      "PerspectiveCamera[\n{}{},\n    outputSize = [{}, {}],\n    fov = {:f},\n"
+      "{}[\n{}{},\n    outputSize = [{}, {}],\n    fov = {:f},\n"
       "    clip = [{:f}, {:f}],\n    rfilter = {}\n  ]",
-      key, rows(camera.toWorld, key.size()), camera.width, camera.height, camera.fov,
-      camera.nearClip, camera.farClip, describeFilter(filter));
+      camera.row->object, key, rows(camera.toWorld, key.size()), camera.width, camera.height,
+      camera.fov, camera.nearClip, camera.farClip, describeFilter(filter));
 }
 
 std::string describeLight(const PointLight& light) {
-  return fmt::format("    PointEmitter[\n      position = {},\n      radiance = {}\n    ]",
+  return fmt::format("    {}[\n      position = {},\n      radiance = {}\n    ]", light.row->object,
                      triple(light.position), triple(light.radiance));
 }
 
@@ -62,11 +65,7 @@ std::string describeTexture(const Texture& texture) {
   const std::string place =
       fmt::format("scale = [{:g}, {:g}], offset = [{:g}, {:g}]", texture.scale.x, texture.scale.y,
                   plain(texture.offset.x), plain(texture.offset.y));
-  if (texture.kind == Texture::Kind::Checker)
-    return fmt::format("CheckerTexture[color1 = {}, color2 = {}, {}]", triple(texture.colors[0]),
-                       triple(texture.colors[1]), place);
-  return fmt::format("Texture[name = \"{}\", color = {}, {}]", texture.filename,
-                     triple(texture.colors[0]), place);
+  return fmt::format("{}[{}, {}]", texture.row->object, texture.row->describe(texture), place);
 }
 
 std::string describeBsdf(const Bsdf& bsdf) {
@@ -86,22 +85,19 @@ std::string describeBsdf(const Bsdf& bsdf) {
 std::string describeEnvironment(const std::optional<Environment>& environment) {
   if (!environment) return "null";
   const std::string key = "    toWorld = ";
-  return fmt::format(
-      "EnvironmentEmitter[\n    radiance = {},\n    environment = \"{}\",\n{}{}\n  ]",
-      triple(environment->radiance), environment->filename, key,
-      rows(environment->toWorld, key.size()));
+  return fmt::format("{}[\n    radiance = {},\n    environment = \"{}\",\n{}{}\n  ]",
+                     environment->row->object, triple(environment->radiance), environment->filename,
+                     key, rows(environment->toWorld, key.size()));
 }
 
 std::string describeMesh(const Mesh& mesh) {
-  if (mesh.sphere)
-    return fmt::format(
-        "    Sphere[\n      center = {},\n      radius = {:g},\n"
-        "      bsdf = {},\n      emitter = null\n    ]",
-        triple(mesh.sphere->centre), mesh.sphere->radius, describeBsdf(mesh.bsdf));
-  return fmt::format(
-      "    Mesh[\n      name = \"{}\",\n      vertexCount = {},\n      triangleCount = {},\n"
-      "      bsdf = {},\n      emitter = null\n    ]",
-      mesh.name, mesh.positions.size(), mesh.triangles.size(), describeBsdf(mesh.bsdf));
+  const std::string shape =
+      mesh.sphere ? fmt::format("center = {},\n      radius = {:g}", triple(mesh.sphere->centre),
+                                mesh.sphere->radius)
+                  : fmt::format("name = \"{}\",\n      vertexCount = {},\n      triangleCount = {}",
+                                mesh.name, mesh.positions.size(), mesh.triangles.size());
+  return fmt::format("    {}[\n      {},\n      bsdf = {},\n      emitter = null\n    ]",
+                     mesh.row().object, shape, describeBsdf(mesh.bsdf));
 }
 
 template <class T>

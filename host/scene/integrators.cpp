@@ -32,6 +32,7 @@ const IntegratorRow directWhitted{
     .object = "DirectWhittedIntegrator",
     .needs = {.normals = true, .materials = true, .lights = true, .background = true},
     .miss = Miss::Background,
+    .litOnly = true,
     .radiance = reference::directWhitted};
 
 const IntegratorRow depth{.name = "depth",
@@ -74,6 +75,12 @@ static const IntegratorRow geometricNormals{.name = "geometric_normals",
                                             .radiance = reference::geometricNormals};
 
 }  // namespace integrators
+
+bool IntegratorUse::operator==(const IntegratorUse& other) const {
+  if (row == other.row) return true;
+  std::error_code error;
+  return user && other.user && std::filesystem::equivalent(user->file, other.user->file, error);
+}
 
 std::optional<IntegratorUse> userIntegrator(const std::string& file) {
   std::ifstream in(file, std::ios::binary);

@@ -19,7 +19,7 @@ struct CameraSample;
 struct Needs {
   bool normals = false;     ///< vertex normals
   bool materials = false;   ///< BSDFs and their textures
-  bool lights = false;      ///< light sources, without which surfaces are black
+  bool lights = false;      ///< light sources
   bool background = false;  ///< the radiance of rays that hit nothing
   bool numbers = false;     ///< random numbers besides the film position
   bool negative = false;    ///< its values may be negative
@@ -42,6 +42,7 @@ struct IntegratorRow {
   std::vector<PropertyRow> properties{};
   Needs needs{};
   Miss miss = Miss::Unknown;
+  bool litOnly = false;  ///< surfaces are black in a scene without lights
   /// Radiance along a camera ray in double precision, misses included.
   glm::dvec3 (*radiance)(const reference::CameraSample& sample) = nullptr;
 };
@@ -69,7 +70,7 @@ struct IntegratorUse {
   void set(std::string_view property, Value value) { setValue(values, property, std::move(value)); }
   bool is(const IntegratorRow& other) const { return row == &other; }
   /// The same integrator, whatever its properties.
-  bool operator==(const IntegratorUse& other) const { return row == other.row; }
+  bool operator==(const IntegratorUse& other) const;
 };
 
 /// An integrator in a GLSL file of the user's own. Nothing is known of it: it is given all that a

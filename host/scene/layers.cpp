@@ -1,66 +1,74 @@
 #include "scene/layers.h"
 
-#include <algorithm>
-#include <array>
-
 namespace laver {
 namespace {
 
-constexpr std::array kNames = {"normals", "depth", "albedo", "uv", "position", "id", "samples"};
+void writeDepth(const CentreHit* hit, float* out) {
+  *out = hit == nullptr ? 0.0F : static_cast<float>(hit->distance);
+}
+
+void writeUv(const CentreHit* hit, float* out) {
+  for (int c = 0; c < 2; ++c) out[c] = hit == nullptr ? 0.0F : static_cast<float>(hit->uv[c]);
+}
+
+void writePosition(const CentreHit* hit, float* out) {
+  for (int c = 0; c < 3; ++c) out[c] = hit == nullptr ? 0.0F : static_cast<float>(hit->position[c]);
+}
+
+void writeId(const CentreHit* hit, float* out) {
+  out[0] = hit == nullptr ? -1.0F : static_cast<float>(hit->mesh);
+  out[1] = hit == nullptr ? -1.0F : static_cast<float>(hit->triangle);
+}
 
 }  // namespace
 
-std::span<const char* const> layerNames() { return kNames; }
+namespace layers {
 
-std::optional<Layer> layerFromName(const std::string& name) {
-  const auto found = std::find(kNames.begin(), kNames.end(), name);
-  if (found == kNames.end()) return std::nullopt;
-  return static_cast<Layer>(found - kNames.begin());
+const LayerRow normals{.name = "normals",
+                       .channels = {"N.X", "N.Y", "N.Z"},
+                       .integrator = &integrators::shadingNormal};
+const LayerRow depth{.name = "depth", .channels = {"Z"}, .write = writeDepth};
+const LayerRow albedo{.name = "albedo",
+                      .channels = {"Albedo.R", "Albedo.G", "Albedo.B"},
+                      .integrator = &integrators::albedo};
+const LayerRow uv{.name = "uv", .channels = {"u", "v"}, .write = writeUv};
+const LayerRow position{
+    .name = "position", .channels = {"P.X", "P.Y", "P.Z"}, .write = writePosition};
+const LayerRow id{.name = "id", .channels = {"shape_index", "prim_index"}, .write = writeId};
+const LayerRow samples{.name = "samples", .channels = {"samples"}};
+
+}  // namespace layers
+
+const Rows<LayerRow>& layerRows() {
+  using namespace layers;
+  static const Rows<LayerRow> rows = {&normals, &depth, &albedo, &uv, &position, &id, &samples};
+  return rows;
 }
 
-std::vector<Shown> shownBeside(std::span<const IntegratorUse> more, std::span<const Layer> layers) {
+std::vector<Shown> shownBeside(std::span<const IntegratorUse> more, const Rows<LayerRow>& layers) {
   std::vector<Shown> all;
   for (const IntegratorUse& use : more) {
     const std::string name = use.row->name;
     all.push_back({use, {name + ".R", name + ".G", name + ".B"}});
   }
-  for (const Layer layer : layers) {
-    if (layer == Layer::Normals)
-      all.push_back({{&integrators::shadingNormal}, {"N.X", "N.Y", "N.Z"}});
-    if (layer == Layer::Albedo)
-      all.push_back({{&integrators::albedo}, {"Albedo.R", "Albedo.G", "Albedo.B"}});
-  }
+  for (const LayerRow* layer : layers)
+    if (layer->integrator != nullptr) all.push_back({{layer->integrator}, layer->channels});
   return all;
 }
 
-std::vector<std::string> centreChannels(std::span<const Layer> layers) {
+std::vector<std::string> centreChannels(const Rows<LayerRow>& layers) {
   std::vector<std::string> names;
-  const auto add = [&](std::initializer_list<const char*> list) {
-    names.insert(names.end(), list.begin(), list.end());
-  };
-  for (const Layer layer : layers) {
-    if (layer == Layer::Depth) add({"Z"});
-    if (layer == Layer::Uv) add({"u", "v"});
-    if (layer == Layer::Position) add({"P.X", "P.Y", "P.Z"});
-    if (layer == Layer::Id) add({"shape_index", "prim_index"});
-  }
+  for (const LayerRow* layer : layers)
+    if (layer->write != nullptr)
+      names.insert(names.end(), layer->channels.begin(), layer->channels.end());
   return names;
 }
 
-void writeCentre(std::span<const Layer> layers, const std::optional<CentreHit>& hit, float* out) {
-  const CentreHit none;
-  const CentreHit& h = hit ? *hit : none;
-  const auto id = [&](std::uint32_t number) { return hit ? static_cast<float>(number) : -1.0F; };
-  for (const Layer layer : layers) {
-    if (layer == Layer::Depth) *out++ = static_cast<float>(h.distance);
-    if (layer == Layer::Uv)
-      for (int c = 0; c < 2; ++c) *out++ = static_cast<float>(h.uv[c]);
-    if (layer == Layer::Position)
-      for (int c = 0; c < 3; ++c) *out++ = static_cast<float>(h.position[c]);
-    if (layer == Layer::Id) {
-      *out++ = id(h.mesh);
-      *out++ = id(h.triangle);
-    }
+void writeCentre(const Rows<LayerRow>& layers, const std::optional<CentreHit>& hit, float* out) {
+  for (const LayerRow* layer : layers) {
+    if (layer->write == nullptr) continue;
+    layer->write(hit ? &*hit : nullptr, out);
+    out += layer->channels.size();
   }
 }
 

@@ -71,6 +71,18 @@ const std::string& Properties::text(std::string_view name) const {
   return std::get<std::string>(slot(name).value);
 }
 
+Values Properties::values() const {
+  Values values;
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    const PropertyRow& row = rule_.properties[i];
+    if (!slots_[i].given || !slots_[i].usable) continue;
+    if (row.type == PropertyType::Float || row.type == PropertyType::Integer)
+      checkRange(row.name, slots_[i].value);
+    values.push_back({row.name, slots_[i].value});
+  }
+  return values;
+}
+
 bool Properties::has(std::string_view name) const { return slot(name).usable; }
 
 void Properties::error(std::string_view name, const std::string& message) const {

@@ -34,6 +34,8 @@ class Properties {
   glm::dvec3 triple(std::string_view name) const;
   glm::dmat4 transform(std::string_view name) const;
   const std::string& text(std::string_view name) const;
+  /// All that the file gives. A number out of its row's range is reported.
+  Values values() const;
   /// Whether there is a value: false for a required property that is missing or broken.
   bool has(std::string_view name) const;
 

@@ -251,8 +251,7 @@ bool Reader::readUserIntegrator(pugi::xml_node node, const char* type) {
     if (const auto value = readValue(child, *property, *property))
       setValue(use->values, name, *value);
   }
-  draft_.scene.fileIntegrator = *use;
-  if (!draft_.overrides.integrator) draft_.scene.integrator = *use;
+  takeIntegrator(*use, draft_);
   return true;
 }
 

@@ -27,10 +27,10 @@ const Row* rowCalled(const Rows<Row>& rows, std::string_view name) {
 
 /// The names of rows, such as "normals, depth or av".
 template <class Row>
-std::string namesOf(const Rows<Row>& rows) {
+std::string namesOf(const Rows<Row>& rows, const char* last = " or ") {
   std::string names;
   for (std::size_t i = 0; i < rows.size(); ++i)
-    names += std::string(i == 0 ? "" : i + 1 == rows.size() ? " or " : ", ") + rows[i]->name;
+    names += std::string(i == 0 ? "" : i + 1 == rows.size() ? last : ", ") + rows[i]->name;
   return names;
 }
 

@@ -6,50 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "scene/bsdfs.h"
+#include "scene/cameras.h"
+#include "scene/emitters.h"
 #include "scene/filters.h"
 #include "scene/integrators.h"
+#include "scene/meshes.h"
 #include "scene/samplers.h"
-#include "scene/texture.h"
 
 namespace laver {
-
-/// Pinhole camera. Camera space: +x left, +y up, +z forward.
-struct Camera {
-  glm::dmat4 toWorld{1.0};  ///< camera to world, column vectors
-  int width = 1280;         ///< pixels
-  int height = 720;         ///< pixels
-  double fov = 30.0;        ///< horizontal, degrees
-  double nearClip = 1e-4;   ///< plane z = nearClip of camera space
-  double farClip = 1e4;
-};
-
-/// Isotropic point light: radiance / distance^2 arrives at a surface.
-struct PointLight {
-  glm::dvec3 position{0.0, 100.0, 0.0};
-  glm::dvec3 radiance{1.0};
-};
-
-/// In world space; its normal points outwards.
-struct Sphere {
-  glm::dvec3 centre{0.0};
-  double radius = 1.0;
-};
-
-/// Triangles in world space. Attributes are empty or hold one entry a vertex.
-struct Mesh {
-  std::string name;              ///< the file name as the scene gives it
-  std::optional<Sphere> sphere;  ///< instead of triangles
-  std::vector<glm::dvec3> positions;
-  std::vector<glm::dvec3> normals;  ///< unit length
-  std::vector<glm::dvec2> uvs;
-  std::vector<glm::uvec3> triangles;   ///< indices into the above, in file order
-  std::uint64_t droppedTriangles = 0;  ///< zero-area triangles left out at load
-  Bsdf bsdf;
-
-  /// Triangles and spheres, which are numbered together.
-  std::size_t primitives() const { return sphere ? 1 : triangles.size(); }
-};
 
 /// A scene as plain data: no Vulkan, no file handles.
 struct Scene {
@@ -69,8 +33,8 @@ struct Scene {
 /// An integrator with the properties that the scene's file gives it.
 inline IntegratorUse useOf(const Scene& scene, const IntegratorUse& wanted) {
   if (!wanted.values.empty()) return wanted;
-  if (scene.integrator.row == wanted.row) return scene.integrator;
-  return scene.fileIntegrator.row == wanted.row ? scene.fileIntegrator : wanted;
+  if (scene.integrator == wanted) return scene.integrator;
+  return scene.fileIntegrator == wanted ? scene.fileIntegrator : wanted;
 }
 
 inline bool hasSpheres(const Scene& scene) {

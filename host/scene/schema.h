@@ -40,6 +40,9 @@ struct ObjectRule {
   void (*build)(const Properties& given, std::string_view parent, Draft& draft);
 };
 
+/// Puts an integrator that the file names into the scene, unless the command line names another.
+void takeIntegrator(const IntegratorUse& use, Draft& draft);
+
 /// Which integrators cannot do without an object.
 enum class Need {
   Always,   ///< all: geometry, camera, sampling

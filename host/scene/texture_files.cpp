@@ -71,7 +71,7 @@ void loadTextures(const TextSource& source, Draft& draft, Diagnostics& diagnosti
   PictureFiles files(source, diagnostics);
   for (MeshDraft& mesh : draft.meshes) {
     auto& texture = mesh.bsdf.texture;
-    if (texture && texture->kind == Texture::Kind::Image)
+    if (texture && texture->row->picture)
       files.add(texture->filename, texture->raw, mesh.textureOffset, texture->image);
   }
   if (auto& sky = draft.scene.environment) {

@@ -70,8 +70,8 @@ inline std::string sceneTestName(const testing::TestParamInfo<std::string>& para
 
 inline RenderOptions allLayers() {
   RenderOptions options;
-  options.layers = {Layer::Normals,  Layer::Depth, Layer::Albedo, Layer::Uv,
-                    Layer::Position, Layer::Id,    Layer::Samples};
+  options.layers = {&layers::normals,  &layers::depth, &layers::albedo, &layers::uv,
+                    &layers::position, &layers::id,    &layers::samples};
   return options;
 }
 

@@ -88,7 +88,7 @@ TEST(SameBits, WholeFilmOrItsVisibleRegion) {
   for (const std::string& name : sceneNames()) {
     const Scene scene = smallScene(name, 131, 3);
     RenderOptions options;
-    options.layers = {Layer::Normals, Layer::Depth, Layer::Id};
+    options.layers = {&layers::normals, &layers::depth, &layers::id};
     VulkanOptions vulkan = onTestDevice();
     vulkan.poisoned = true;
     Stats stats;
@@ -127,7 +127,7 @@ TEST(SameBits, WholeFilmOrASmallVisibleRegionInBandsAndCrops) {
     EXPECT_EQ(differingFloats(render(scene, whole, crop), render(scene, bands, crop)), 0U);
     RenderOptions adaptive;
     adaptive.error = 0.02;
-    adaptive.layers = {Layer::Samples};
+    adaptive.layers = {&layers::samples};
     const Image counted = render(scene, whole, adaptive);
     VulkanOptions once = onTestDevice();
     once.poisoned = true;

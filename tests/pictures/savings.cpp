@@ -100,10 +100,10 @@ TEST(WithoutALight, LayersShowWhatEachShowsAlone) {
   for (const bool textured : {false, true}) {
     if (textured) scene.meshes[1].bsdf.texture = Texture();
     RenderOptions options;
-    options.layers = {Layer::Normals, Layer::Albedo, Layer::Id};
+    options.layers = {&layers::normals, &layers::albedo, &layers::id};
     const Image all = render(scene, onTestDevice(), options);
     std::size_t first = 3;
-    for (const Layer layer : options.layers) {
+    for (const LayerRow* layer : options.layers) {
       RenderOptions one;
       one.layers = {layer};
       const Image alone = render(scene, onTestDevice(), one);

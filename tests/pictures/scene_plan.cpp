@@ -102,7 +102,7 @@ TEST(ScenePlan, TellsOfTexturesBackgroundAndLayers) {
   EXPECT_EQ(line(plan, "background").choice, "one radiance");
   EXPECT_EQ(line(plan, "vertex normals").choice, "left out");
   RenderOptions options;
-  options.layers = {Layer::Albedo, Layer::Normals};
+  options.layers = {&layers::albedo, &layers::normals};
   plan = planScene(scene, options, {}, testDeviceInfo());
   EXPECT_EQ(plan.figures["pictures"], 3);
   EXPECT_EQ(line(plan, "camera rays").why, "what they hit shows");

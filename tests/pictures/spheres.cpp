@@ -97,7 +97,7 @@ TEST(Spheres, UnderALightFromAfarAtAnyDistance) {
 
 Texture picture() {
   Texture texture;
-  texture.kind = Texture::Kind::Image;
+  texture.row = &textures::bitmap;
   Bitmap bitmap(12, 8, {});
   std::uint32_t random = 1;
   for (Rgb8& pixel : bitmap.pixels)

@@ -31,7 +31,7 @@ std::shared_ptr<const Picture> noise(int width, int height, bool floats, float l
 
 Texture showing(std::shared_ptr<const Picture> picture) {
   Texture texture;
-  texture.kind = Texture::Kind::Image;
+  texture.row = &textures::bitmap;
   texture.colors.fill(dvec3(0.9, 0.8, 0.7));
   texture.image = std::move(picture);
   return texture;

@@ -46,7 +46,7 @@ TEST(Watcher, SeesTheFirstPictureOnlyAndACropFromItsTop) {
   Seen seen;
   RenderOptions options = seen.options();
   options.more = {{&integrators::depth}};
-  options.layers = {Layer::Albedo, Layer::Depth};
+  options.layers = {&layers::albedo, &layers::depth};
   options.crop = Crop{10, 20, 40, 50};
   Stats stats;
   Renderer(onTestDevice()).render(scene, options, stats);
@@ -61,7 +61,7 @@ TEST(Watcher, SeesAReferenceRender) {
   const Scene scene = smallScene("cornell-two-lights.xml", 64, 192);
   Seen seen;
   RenderOptions options = seen.options();
-  options.layers = {Layer::Normals};
+  options.layers = {&layers::normals};
   const Image image = Reference(scene).render(options).image;
   EXPECT_EQ(seen.calls, 3);
   EXPECT_EQ(differingFloats(seen.picture, Reference(scene).render().image), 0U);

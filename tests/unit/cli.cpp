@@ -97,7 +97,8 @@ TEST(Cli, HelpListsTheTablesNames) {
   const std::string help = commandOf<HelpCommand>("--help").text;
   for (const IntegratorRow* row : integratorRows())
     EXPECT_NE(help.find(row->name), std::string::npos) << row->name;
-  for (const char* name : layerNames()) EXPECT_NE(help.find(name), std::string::npos) << name;
+  for (const LayerRow* row : layerRows())
+    EXPECT_NE(help.find(row->name), std::string::npos) << row->name;
   EXPECT_NE(commandOf<HelpCommand>("explain --help").text.find("--traversal"), std::string::npos);
 }
 

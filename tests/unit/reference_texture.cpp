@@ -10,7 +10,6 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 using reference::albedoAt;
-using reference::backgroundAt;
 
 std::shared_ptr<const Picture> floats(int width, int height, const std::vector<float>& red) {
   Image image = rgbImage(width, height);
@@ -20,7 +19,7 @@ std::shared_ptr<const Picture> floats(int width, int height, const std::vector<f
 
 Bsdf showing(std::shared_ptr<const Picture> picture) {
   Texture texture;
-  texture.kind = Texture::Kind::Image;
+  texture.row = &textures::bitmap;
   texture.colors.fill(dvec3(1.0));
   texture.image = std::move(picture);
   return {.albedo = dvec3(0.5), .texture = texture};
@@ -87,7 +86,7 @@ TEST(ReferenceTexture, ABackgroundTurnsAboutYAndFallsFromThePole) {
   // Columns begin at -z and go over +x, +z and -x; two rows.
   Environment sky;
   sky.image = floats(4, 2, {1, 2, 3, 4, 10, 20, 30, 40});
-  const auto at = [&](dvec3 d) { return backgroundAt(sky, d).x; };
+  const auto at = [&](dvec3 d) { return sky.row->background(sky, d).x; };
   EXPECT_DOUBLE_EQ(at({1e-9, 1, -1e-9}), at({1, 1e9, -1}));
   const double half = std::sqrt(2.0);  // 45 degrees up
   EXPECT_NEAR(at({1, half, -1}), 1.0, 1e-12);

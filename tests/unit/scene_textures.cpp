@@ -31,7 +31,7 @@ TEST_F(SceneTextures, ACheckerHasNorisDefaults) {
   EXPECT_TRUE(loaded.warnings.empty());
   const auto& texture = loaded.scene.meshes.at(0).bsdf.texture;
   ASSERT_TRUE(texture);
-  EXPECT_EQ(texture->kind, Texture::Kind::Checker);
+  EXPECT_EQ(texture->row, &textures::checker);
   EXPECT_EQ(texture->colors[0], glm::dvec3(0.9));
   EXPECT_EQ(texture->colors[1], glm::dvec3(0.1));
   EXPECT_EQ(texture->scale, glm::dvec2(1.0));
@@ -63,7 +63,7 @@ TEST_F(SceneTextures, EveryValueReachesItsPlace) {
   EXPECT_EQ(checker.scale, glm::dvec2(7, 8.5));
   EXPECT_EQ(checker.offset, glm::dvec2(-9, 0.5));
   const Texture& map = *s.meshes.at(1).bsdf.texture;
-  EXPECT_EQ(map.kind, Texture::Kind::Image);
+  EXPECT_EQ(map.row, &textures::bitmap);
   EXPECT_TRUE(map.raw);
   EXPECT_EQ(map.colors[0], glm::dvec3(0.1, 0.2, 0.3));
   EXPECT_EQ(map.scale, glm::dvec2(2, 1));

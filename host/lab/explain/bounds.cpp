@@ -36,8 +36,7 @@ double valueOf(const Picture& picture, bool raw, std::size_t index, std::size_t 
 /// which colour a sample shows is a decision.
 AlbedoBounds albedoBounds(const Texture& texture, dvec2 uv, dvec2 shift) {
   const double factor = maxNorm(texture.colors[0]);
-  if (texture.kind == Texture::Kind::Checker)
-    return {std::max(factor, maxNorm(texture.colors[1])), 0.0};
+  if (!texture.row->picture) return {std::max(factor, maxNorm(texture.colors[1])), 0.0};
   if (!texture.image) return {factor, 0.0};
   const Picture& picture = *texture.image;
   const glm::ivec2 size(widthOf(picture), heightOf(picture));

@@ -1,0 +1,14 @@
+#pragma once
+#include <glm/glm.hpp>
+
+#include "scene/emitters.h"
+
+namespace laver::reference {
+
+/// A point of a light as a surface sees it.
+struct LightSample {
+  glm::dvec3 position;
+  glm::dvec3 radiance;  ///< over the square of the distance; 0 at distance 0
+};
+
+}  // namespace laver::reference

@@ -1,0 +1,15 @@
+#include <cmath>
+
+#include "reference/texture.h"
+
+namespace laver::reference {
+
+glm::dvec3 bitmap(const Texture& texture, glm::dvec2 st) {
+  if (!texture.image) return texture.colors[0];
+  // Whole repetitions change nothing.
+  const double s = st.x - std::floor(st.x), t = st.y - std::floor(st.y);
+  return texture.colors[0] * interpolated(*texture.image, texture.raw, s * widthOf(*texture.image),
+                                          (1.0 - t) * heightOf(*texture.image), true);
+}
+
+}  // namespace laver::reference

@@ -1,0 +1,34 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "scene/form.h"
+#include "scene/rows.h"
+
+namespace laver {
+
+/// A kind of camera. Its kernel's part is shaders/camera/NAME.glsl.
+struct CameraRow {
+  const char* name;
+  const char* object = "";  ///< Nori's class, in the dump
+  std::vector<Form> forms{};
+};
+
+namespace cameras {
+extern const CameraRow perspective;
+}  // namespace cameras
+
+const Rows<CameraRow>& cameraRows();
+
+/// Pinhole camera. Camera space: +x left, +y up, +z forward.
+struct Camera {
+  glm::dmat4 toWorld{1.0};  ///< camera to world, column vectors
+  int width = 1280;         ///< pixels
+  int height = 720;         ///< pixels
+  double fov = 30.0;        ///< horizontal, degrees
+  double nearClip = 1e-4;   ///< plane z = nearClip of camera space
+  double farClip = 1e4;
+  const CameraRow* row = &cameras::perspective;
+};
+
+}  // namespace laver

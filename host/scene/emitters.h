@@ -1,0 +1,55 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "image/picture.h"
+#include "scene/form.h"
+#include "scene/rows.h"
+
+namespace laver {
+
+struct PointLight;
+struct Environment;
+
+namespace reference {
+struct LightSample;
+}
+
+/// A kind of emitter. Its kernel's part is shaders/emitter/NAME.glsl, its twin in double precision
+/// host/reference/emitter/NAME.cpp: one of the two functions.
+struct EmitterRow {
+  const char* name;
+  const char* object = "";  ///< Nori's class, in the dump
+  std::vector<Form> forms{};
+  reference::LightSample (*sample)(const PointLight& light, const glm::dvec3& from) = nullptr;
+  /// Radiance that a ray of that direction, of any length but 0, sees where it hits nothing.
+  glm::dvec3 (*background)(const Environment& environment, const glm::dvec3& direction) = nullptr;
+};
+
+namespace emitters {
+extern const EmitterRow point, environment;
+}  // namespace emitters
+
+const Rows<EmitterRow>& emitterRows();
+
+/// Isotropic point light: radiance / distance^2 arrives at a surface.
+struct PointLight {
+  glm::dvec3 position{0.0, 100.0, 0.0};
+  glm::dvec3 radiance{1.0};
+  const EmitterRow* row = &emitters::point;
+};
+
+/// What rays that hit nothing see. Of an image, in the space that toWorld takes to the world, the
+/// rows go from +y to -y and the columns from -z over +x, +z and -x, as in Mitsuba.
+struct Environment {
+  glm::dvec3 radiance{1.0};  ///< of all directions, or an image's factor
+  glm::dmat4 toWorld{1.0};   ///< its linear part counts
+  std::string filename{};    ///< empty: no image
+  bool raw = false;
+  std::shared_ptr<const Picture> image{};  ///< none where the integrator shows no background
+  const EmitterRow* row = &emitters::environment;
+};
+
+}  // namespace laver

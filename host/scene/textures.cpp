@@ -1,0 +1,122 @@
+#include "scene/textures.h"
+
+#include <fmt/format.h>
+
+#include "scene/dump.h"
+#include "scene/properties.h"
+#include "scene/schema.h"
+
+namespace laver {
+
+// host/reference/texture/NAME.cpp
+namespace reference {
+glm::dvec3 checker(const Texture& texture, glm::dvec2 st);
+glm::dvec3 bitmap(const Texture& texture, glm::dvec2 st);
+}  // namespace reference
+
+namespace {
+
+using xml::Draft;
+using xml::Properties;
+using enum PropertyType;
+
+/// `rows`, and after them those that all textures have.
+std::vector<PropertyRow> placed(std::vector<PropertyRow> rows) {
+  const Texture texture;
+  const auto add = [&](const char* name, double start, const char* meaning) {
+    rows.push_back({.name = name, .type = Float, .start = start, .meaning = meaning});
+  };
+  add("scalex", texture.scale.x, "factor of u");
+  add("scaley", texture.scale.y, "factor of v");
+  add("offsetx", texture.offset.x, "added to the scaled u");
+  add("offsety", texture.offset.y, "added to the scaled v");
+  return rows;
+}
+
+void addTexture(const Properties& given, Texture texture, Draft& draft) {
+  if (draft.meshes.empty()) return;
+  texture.scale = {given.real("scalex"), given.real("scaley")};
+  texture.offset = {given.real("offsetx"), given.real("offsety")};
+  draft.meshes.back().bsdf.texture = std::move(texture);
+  draft.meshes.back().textureOffset = given.offset();
+}
+
+void buildChecker(const Properties& given, std::string_view, Draft& draft) {
+  Texture texture{.row = &textures::checker};
+  texture.colors = {given.triple("color1"), given.triple("color2")};
+  addTexture(given, std::move(texture), draft);
+}
+
+void buildBitmap(const Properties& given, std::string_view, Draft& draft) {
+  if (!given.has("filename")) return;
+  Texture texture{.row = &textures::bitmap};
+  texture.filename = given.text("filename");
+  texture.colors.fill(given.triple("color"));
+  texture.raw = given.boolean("raw") || draft.overrides.noriCompat;
+  addTexture(given, std::move(texture), draft);
+}
+
+std::string describeChecker(const Texture& texture) {
+  return fmt::format("color1 = {}, color2 = {}", dump::triple(texture.colors[0]),
+                     dump::triple(texture.colors[1]));
+}
+
+std::string describeBitmap(const Texture& texture) {
+  return fmt::format("name = \"{}\", color = {}", texture.filename,
+                     dump::triple(texture.colors[0]));
+}
+
+Form bitmapForm(const char* type) {
+  return {.type = type,
+          .properties = placed({{.name = "filename",
+                                 .type = String,
+                                 .required = true,
+                                 .meaning = "EXR, PNG or JPEG, beside the scene"},
+                                {.name = "color",
+                                 .type = Color,
+                                 .start = glm::dvec3(1.0),
+                                 .meaning = "factor of the picture"},
+                                {.name = "raw",
+                                 .type = Boolean,
+                                 .start = Texture{}.raw,
+                                 .meaning = "8-bit and 16-bit values are linear, not sRGB"}}),
+          .build = buildBitmap};
+}
+
+}  // namespace
+
+namespace textures {
+
+const TextureRow checker{
+    .name = "checker",
+    .object = "CheckerTexture",
+    .forms = {{.type = "checker",
+               .properties = placed({{.name = "color1",
+                                      .type = Color,
+                                      .start = Texture{}.colors[0],
+                                      .meaning = "where floor(s) + floor(t) is even"},
+                                     {.name = "color2",
+                                      .type = Color,
+                                      .start = Texture{}.colors[1],
+                                      .meaning = "where it is odd"}}),
+               .build = buildChecker}},
+    .color = reference::checker,
+    .describe = describeChecker};
+
+const TextureRow bitmap{
+    .name = "bitmap",
+    .object = "Texture",
+    .forms = {bitmapForm("textmap"), bitmapForm("image_texture"), bitmapForm("bitmap")},
+    .picture = true,
+    .color = reference::bitmap,
+    .describe = describeBitmap};
+
+}  // namespace textures
+
+const Rows<TextureRow>& textureRows() {
+  using namespace textures;
+  static const Rows<TextureRow> rows = {&checker, &bitmap};
+  return rows;
+}
+
+}  // namespace laver
