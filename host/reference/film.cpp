@@ -75,8 +75,8 @@ class Band {
         const int y = around_.y0 + static_cast<int>(i % traced() / width());
         const auto sample = begin + static_cast<std::uint32_t>(i / traced());
         const glm::vec2 film = samplePosition(scene_.camera, scene_.sampler, x, y, sample);
-        const glm::vec2 numbers = sampleAperture(scene_.camera, scene_.sampler, x, y, sample);
-        const glm::dvec3 value = radianceAt(glm::dvec2(film), glm::dvec2(numbers));
+        const Numbers numbers(scene_.camera, scene_.sampler, {x, y, sample});
+        const glm::dvec3 value = radianceAt(glm::dvec2(film), numbers);
         samples_[i] = {film, value, usable(value, isSigned_)};
         const bool own = x >= pixels_.x0 && x < pixels_.x1 && y >= pixels_.y0 && y < pixels_.y1;
         if (own && !samples_[i].kept) ++dropped;

@@ -5,6 +5,7 @@
 
 #include "image/image.h"
 #include "reference/filter.h"
+#include "reference/sampler.h"
 #include "render/observer.h"
 #include "render/options.h"
 #include "render/rendered.h"
@@ -12,9 +13,8 @@
 
 namespace laver::reference {
 
-/// What film reconstruction asks for: radiance through a film position in pixels, with the sample's
-/// two other numbers.
-using RadianceAt = std::function<glm::dvec3(glm::dvec2 film, glm::dvec2 numbers)>;
+/// Radiance through a film position in pixels, by the sample's other random numbers.
+using RadianceAt = std::function<glm::dvec3(glm::dvec2 film, const Numbers& numbers)>;
 
 /// A picture of a render.
 struct Picture {

@@ -1,9 +1,15 @@
 #pragma once
 #include <array>
 
-#include "scene/scene.h"
+#include "scene/filters.h"
 
 namespace laver::reference {
+
+/// A filter's weight at a distance of at most its radius, in two precisions.
+struct FilterTwin {
+  double (*exact)(const Filter& filter, double distance);
+  float (*single)(const Filter& filter, float distance);
+};
 
 /// One axis of a separable reconstruction filter.
 class FilterWeights {

@@ -1,22 +1,40 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 
-#include "scene/scene.h"
+#include "reference/sampler.h"
 
-namespace laver::reference {
+/// Random numbers that are hashes of the pixel, the sampler's seed, the sample and the dimension.
+namespace laver::reference::hashed {
 
-/// Film position, in pixels, of a sample of `stratified` or `sobol`, whose randomness is a hash of
-/// the pixel and the seed. It is the middle of a cell of a grid so fine that it is a float's.
-///
-/// `stratified`: strata of one size, column by column, from a stratum that the pixel's hash picks;
-/// in each a hash of the pixel and the sample's number.
-/// `sobol`: Sobol's first two dimensions, each Owen-scrambled by its own seed.
-glm::vec2 hashedPosition(const Camera& camera, const Sampler& sampler, int x, int y,
-                         std::uint32_t sample);
+using Word = std::uint32_t;
+using Hash = std::array<Word, 3>;
 
-/// Two numbers in [0, 1) that have nothing to do with that place. `sobol`: its sequence in an order
-/// that Owen scrambling of the sample's number gives. `stratified`: at random.
-glm::vec2 hashedAperture(const Sampler& sampler, int x, int y, std::uint32_t sample);
+/// Between the seeds of two dimensions: 2^32 over the golden ratio.
+inline constexpr Word kDimensionStep = 0x9e3779b9u;
 
-}  // namespace laver::reference
+/// pcg3d of Jarzynski and Olano, JCGT 9(3), 2020, and its step of shifts once more.
+Hash hashOf(Word a, Word b, Word c);
+
+/// The 64 bits of the seed in 32.
+Word foldedSeed(const Sampler& sampler);
+
+Hash pixelHash(const PixelSample& at, Word seed);
+
+/// Coordinates in a pixel, in 2^-32.
+struct Place {
+  Word x, y;
+};
+
+/// The middle of the cell of a place in a grid over the pixel, so fine that the sum with the
+/// pixel's number is a float's.
+glm::vec2 filmPosition(const Camera& camera, const PixelSample& at, const Place& place);
+
+/// In [0, 1), of 23 bits.
+glm::vec2 unitPair(const Place& place);
+
+/// Uniform, each by itself.
+glm::vec2 randomPair(const Sampler& sampler, const PixelSample& at, std::uint32_t dimension);
+
+}  // namespace laver::reference::hashed

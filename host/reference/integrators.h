@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "reference/camera.h"
+#include "reference/sampler.h"
 #include "reference/world.h"
 #include "scene/scene.h"
 
@@ -15,11 +16,11 @@ struct CameraSample {
   const IntegratorUse& integrator;
   glm::dvec3 direction;  ///< of the ray, of any length
   std::optional<Met> hit;
-  glm::dvec2 numbers;  ///< in [0, 1)
+  const Numbers& numbers;
 };
 
-/// Radiance that arrives along a camera ray. `numbers` in [0, 1) choose a direction.
+/// Radiance that arrives along a camera ray.
 glm::dvec3 radiance(const World& world, const Scene& scene, const IntegratorUse& integrator,
-                    const CameraRay& camera, glm::dvec2 numbers);
+                    const CameraRay& camera, const Numbers& numbers);
 
 }  // namespace laver::reference

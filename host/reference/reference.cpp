@@ -29,7 +29,7 @@ Reference::~Reference() = default;
 Reference::Reference(Reference&&) noexcept = default;
 Reference& Reference::operator=(Reference&&) noexcept = default;
 
-glm::dvec3 Reference::radiance(glm::dvec2 film, glm::dvec2 numbers) const {
+glm::dvec3 Reference::radiance(glm::dvec2 film, const reference::Numbers& numbers) const {
   return reference::radiance(impl_->world, impl_->scene, impl_->scene.integrator,
                              impl_->view.through(film), numbers);
 }
@@ -56,8 +56,8 @@ glm::vec2 Reference::samplePosition(int x, int y, std::uint32_t sample) const {
   return reference::samplePosition(impl_->scene.camera, impl_->scene.sampler, x, y, sample);
 }
 
-glm::vec2 Reference::sampleNumbers(int x, int y, std::uint32_t sample) const {
-  return reference::sampleAperture(impl_->scene.camera, impl_->scene.sampler, x, y, sample);
+reference::Numbers Reference::sampleNumbers(int x, int y, std::uint32_t sample) const {
+  return {impl_->scene.camera, impl_->scene.sampler, {x, y, sample}};
 }
 
 Rendered Reference::render(const RenderOptions& options) const {
@@ -92,7 +92,7 @@ Rendered Reference::render(const RenderOptions& options) const {
 
 Rendered Reference::picture(const IntegratorUse& shown, const RenderOptions& options, Place place,
                             Observers& observers) const {
-  const auto radianceAt = [&](glm::dvec2 film, glm::dvec2 numbers) {
+  const auto radianceAt = [&](glm::dvec2 film, const reference::Numbers& numbers) {
     return reference::radiance(impl_->world, impl_->scene, shown, impl_->view.through(film),
                                numbers);
   };

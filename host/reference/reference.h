@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "image/image.h"
+#include "reference/sampler.h"
 #include "render/observer.h"
 #include "render/options.h"
 #include "render/rendered.h"
@@ -31,9 +32,9 @@ class Reference {
   Reference(Reference&&) noexcept;
   Reference& operator=(Reference&&) noexcept;
 
-  /// Radiance along the camera ray through `film`, in pixels from the top left. `numbers` in
-  /// [0, 1) choose a direction where the integrator draws one.
-  glm::dvec3 radiance(glm::dvec2 film, glm::dvec2 numbers = glm::dvec2(0.5)) const;
+  /// Radiance along the camera ray through `film`, in pixels from the top left. `numbers`
+  /// serve integrators that draw directions.
+  glm::dvec3 radiance(glm::dvec2 film, const reference::Numbers& numbers = glm::dvec2(0.5)) const;
 
   /// The first hit of that ray between the clipping planes. Of hits at the same t the triangle
   /// of the smallest number wins, also where the copies list their corners differently.
@@ -42,7 +43,7 @@ class Reference {
   /// Film position of a sample of a pixel, as the scene's sampler draws it.
   glm::vec2 samplePosition(int x, int y, std::uint32_t sample) const;
   /// The sample's other numbers, for radiance().
-  glm::vec2 sampleNumbers(int x, int y, std::uint32_t sample) const;
+  reference::Numbers sampleNumbers(int x, int y, std::uint32_t sample) const;
 
   /// The first hit of the ray through `film` as the centre layers show it. Without vertex
   /// coordinates uv is 0.

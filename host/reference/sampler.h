@@ -2,21 +2,51 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
-#include "scene/scene.h"
+#include "scene/cameras.h"
+#include "scene/samplers.h"
 
 namespace laver::reference {
 
-/// Film position, in pixels, of sample `sample` of pixel (x, y).
-///
-/// `independent`: every 32x32 block of the full film (cut at the border) has a PCG32 of its own,
-/// with state block x + seed and sequence block y + seed, and uses four numbers a sample: y, x and
-/// two for the aperture. The sum pixel + number is a float's. The others: hashed_sampler.h.
-glm::vec2 samplePosition(const Camera& camera, const Sampler& sampler, int x, int y,
-                         std::uint32_t sample);
+/// A sample by its number in its pixel.
+struct PixelSample {
+  int x, y;
+  std::uint32_t sample;
+};
 
-/// The two numbers in [0, 1) for the aperture, drawn y first too. With a pinhole they are left for
-/// integrators that choose a direction.
-glm::vec2 sampleAperture(const Camera& camera, const Sampler& sampler, int x, int y,
-                         std::uint32_t sample);
+/// Film position, in pixels, of a sample: dimension 0 of its random numbers.
+inline glm::vec2 samplePosition(const Camera& camera, const Sampler& sampler, int x, int y,
+                                std::uint32_t sample) {
+  return sampler.row->position(camera, sampler, {x, y, sample});
+}
+
+/// The random numbers of a sample, pairs in [0, 1) by dimension: 1 is the aperture's, which a
+/// pinhole leaves to integrators; paths go on from there.
+class Numbers {
+ public:
+  Numbers(const Camera& camera, const Sampler& sampler, const PixelSample& at)
+      : camera_(&camera), sampler_(&sampler), at_(at) {}
+  /// The same pair in each dimension.
+  Numbers(glm::dvec2 all) : all_(all) {}  // NOLINT(google-explicit-constructor)
+
+  glm::dvec2 pair(std::uint32_t dimension) const {
+    const glm::dvec2 numbers =
+        camera_ == nullptr ? all_
+                           : glm::dvec2(sampler_->row->pair(*camera_, *sampler_, at_, dimension));
+    return glm::clamp(numbers + moved_, 0.0, 1.0);
+  }
+
+  /// All pairs moved by the same, within [0, 1].
+  Numbers moved(glm::dvec2 by) const {
+    Numbers numbers = *this;
+    numbers.moved_ += by;
+    return numbers;
+  }
+
+ private:
+  const Camera* camera_ = nullptr;
+  const Sampler* sampler_ = nullptr;
+  PixelSample at_{};
+  glm::dvec2 all_{0.5}, moved_{0.0};
+};
 
 }  // namespace laver::reference

@@ -4,6 +4,12 @@
 #include <cmath>
 
 namespace laver {
+
+// host/reference/filter/NAME.cpp
+namespace reference {
+extern const FilterTwin gaussian, mitchell, tent, box;
+}
+
 namespace {
 
 PropertyRow radiusRow() {
@@ -61,7 +67,8 @@ const FilterRow gaussian{.name = "gaussian",
                          .members = {&Filter::radius, &Filter::stddev},
                          .narrowForm = true,
                          .shape = gaussianShape,
-                         .evaluate = gaussianAt};
+                         .evaluate = gaussianAt,
+                         .twin = &reference::gaussian};
 
 const FilterRow mitchell{.name = "mitchell",
                          .object = "MitchellNetravaliFilter",
@@ -77,12 +84,21 @@ const FilterRow mitchell{.name = "mitchell",
                                          .meaning = "Mitchell and Netravali's C"}},
                          .members = {&Filter::radius, &Filter::B, &Filter::C},
                          .shape = mitchellShape,
-                         .evaluate = mitchellAt};
+                         .evaluate = mitchellAt,
+                         .twin = &reference::mitchell};
 
 // Nori's tent and box have fixed radii.
-const FilterRow tent{.name = "tent", .object = "TentFilter", .radius = 1.0, .evaluate = tentAt};
+const FilterRow tent{.name = "tent",
+                     .object = "TentFilter",
+                     .radius = 1.0,
+                     .evaluate = tentAt,
+                     .twin = &reference::tent};
 
-const FilterRow box{.name = "box", .object = "BoxFilter", .radius = 0.5, .evaluate = boxAt};
+const FilterRow box{.name = "box",
+                    .object = "BoxFilter",
+                    .radius = 0.5,
+                    .evaluate = boxAt,
+                    .twin = &reference::box};
 
 }  // namespace filters
 

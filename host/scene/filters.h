@@ -9,7 +9,12 @@ namespace laver {
 
 struct Filter;
 
-/// A reconstruction filter. Its kernel's part is shaders/filter/NAME.glsl.
+namespace reference {
+struct FilterTwin;
+}
+
+/// A reconstruction filter. Its kernel's part is shaders/filter/NAME.glsl, its twin
+/// host/reference/filter/NAME.cpp.
 struct FilterRow {
   const char* name;                      ///< in scenes and on the command line
   std::vector<const char*> spellings{};  ///< other names in scenes
@@ -22,6 +27,7 @@ struct FilterRow {
   glm::dvec2 (*shape)(const Filter& filter) = nullptr;
   /// One axis at x pixels from the centre, |x| <= radius, in double precision.
   double (*evaluate)(const Filter& filter, double x) = nullptr;
+  const reference::FilterTwin* twin = nullptr;
 };
 
 namespace filters {

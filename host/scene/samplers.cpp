@@ -4,6 +4,26 @@
 #include <limits>
 
 namespace laver {
+
+// host/reference/sampler/NAME.cpp
+namespace reference {
+namespace independent {
+glm::vec2 position(const Camera& camera, const Sampler& sampler, const PixelSample& at);
+glm::vec2 pair(const Camera& camera, const Sampler& sampler, const PixelSample& at,
+               std::uint32_t dimension);
+}  // namespace independent
+namespace stratified {
+glm::vec2 position(const Camera& camera, const Sampler& sampler, const PixelSample& at);
+glm::vec2 pair(const Camera& camera, const Sampler& sampler, const PixelSample& at,
+               std::uint32_t dimension);
+}  // namespace stratified
+namespace sobol {
+glm::vec2 position(const Camera& camera, const Sampler& sampler, const PixelSample& at);
+glm::vec2 pair(const Camera& camera, const Sampler& sampler, const PixelSample& at,
+               std::uint32_t dimension);
+}  // namespace sobol
+}  // namespace reference
+
 namespace {
 
 std::vector<PropertyRow> properties() {
@@ -27,18 +47,26 @@ const SamplerRow independent{.name = "independent",
                              .object = "Independent",
                              .properties = properties(),
                              .stream = true,
-                             .adaptive = true};
+                             .adaptive = true,
+                             .position = reference::independent::position,
+                             .pair = reference::independent::pair};
 
 // Uniform, one in each stratum.
-const SamplerRow stratified{
-    .name = "stratified", .object = "Stratified", .properties = properties(), .strata = true};
+const SamplerRow stratified{.name = "stratified",
+                            .object = "Stratified",
+                            .properties = properties(),
+                            .strata = true,
+                            .position = reference::stratified::position,
+                            .pair = reference::stratified::pair};
 
 // A (0,2)-sequence, Owen-scrambled by pixel.
 const SamplerRow sobol{.name = "sobol",
                        .object = "Sobol",
                        .properties = properties(),
                        .countFree = true,
-                       .adaptive = true};
+                       .adaptive = true,
+                       .position = reference::sobol::position,
+                       .pair = reference::sobol::pair};
 
 }  // namespace samplers
 

@@ -8,7 +8,15 @@
 
 namespace laver {
 
-/// A sampler. Its kernel's part is shaders/sampler/NAME.glsl.
+struct Camera;
+struct Sampler;
+
+namespace reference {
+struct PixelSample;
+}
+
+/// A sampler. Its kernel's part is shaders/sampler/NAME.glsl, its twin
+/// host/reference/sampler/NAME.cpp.
 struct SamplerRow {
   const char* name;                      ///< in scenes and on the command line
   std::vector<const char*> spellings{};  ///< other names in scenes
@@ -18,6 +26,12 @@ struct SamplerRow {
   bool strata = false;     ///< one sample in each of strataOf(sampleCount)
   bool countFree = false;  ///< the sample count changes no sample
   bool adaptive = false;   ///< the first samples of a pixel cover it evenly by themselves
+  /// Film position in pixels.
+  glm::vec2 (*position)(const Camera& camera, const Sampler& sampler,
+                        const reference::PixelSample& at) = nullptr;
+  /// Two numbers in [0, 1) of a dimension from 1 on; 1 is the aperture's.
+  glm::vec2 (*pair)(const Camera& camera, const Sampler& sampler, const reference::PixelSample& at,
+                    std::uint32_t dimension) = nullptr;
 };
 
 namespace samplers {

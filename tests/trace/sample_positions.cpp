@@ -91,9 +91,10 @@ TEST_P(SamplePositions, OfTheDeviceAreTheReferences) {
         const glm::vec2 wanted =
             reference::samplePosition(scene.camera, scene.sampler, static_cast<int>(pixel.x),
                                       static_cast<int>(pixel.y), film.first + s);
-        const glm::vec2 aperture =
-            reference::sampleAperture(scene.camera, scene.sampler, static_cast<int>(pixel.x),
-                                      static_cast<int>(pixel.y), film.first + s);
+        const reference::Numbers numbers(
+            scene.camera, scene.sampler,
+            {static_cast<int>(pixel.x), static_cast<int>(pixel.y), film.first + s});
+        const glm::vec2 aperture(numbers.pair(1));
         ASSERT_EQ(positions[n], glm::vec4(wanted, aperture))
             << pixel.x << ' ' << pixel.y << ' ' << s;
         // `independent` may be rounded up to the next pixel's border.

@@ -4,6 +4,9 @@
 #include <filesystem>
 #include <set>
 
+#include "reference/filter.h"
+#include "scene/layers.h"
+#include "scene/schema.h"
 #include "scene/suggest.h"
 #include "support/scene_files.h"
 
@@ -45,13 +48,58 @@ TEST(SceneRows, AFilterKeepsEachOfItsProperties) {
     const Filter filter = filterOf(*row);
     for (std::size_t i = 0; i < row->members.size(); ++i)
       EXPECT_EQ(Value(filter.*row->members[i]), row->properties[i].start);
+    // Two texts of one formula: a few roundings of numbers up to 8 apart.
+    for (const double x : {0.0, 0.3, 0.5, 0.7})
+      EXPECT_NEAR(row->evaluate(filter, x * filter.radius),
+                  row->twin->exact(filter, x * filter.radius), 1e-14);
     EXPECT_GT(row->evaluate(filter, 0.0), 0.0);
   }
 }
 
-TEST(SceneRows, NoTwoSamplersShareAnObject) {
+TEST(SceneRows, ASamplerHasAnObjectAndATwin) {
   std::set<std::string> objects;
-  for (const SamplerRow* row : samplerRows()) EXPECT_TRUE(objects.insert(row->object).second);
+  for (const SamplerRow* row : samplerRows()) {
+    SCOPED_TRACE(row->name);
+    EXPECT_TRUE(objects.insert(row->object).second);
+    EXPECT_NE(row->position, nullptr);
+    EXPECT_NE(row->pair, nullptr);
+  }
+}
+
+TEST(SceneRows, AnEmitterIsSampledOrSeenBehindTheScene) {
+  for (const EmitterRow* row : emitterRows()) {
+    EXPECT_FALSE(row->forms.empty()) << row->name;
+    EXPECT_NE(row->sample == nullptr, row->background == nullptr) << row->name;
+  }
+}
+
+TEST(SceneRows, ATextureHasFormsAndATwin) {
+  for (const TextureRow* row : textureRows()) {
+    EXPECT_FALSE(row->forms.empty()) << row->name;
+    EXPECT_NE(row->color, nullptr) << row->name;
+    EXPECT_NE(row->describe, nullptr) << row->name;
+  }
+}
+
+TEST(SceneRows, ALayerShowsAnIntegratorOrThePixelsCentre) {
+  std::set<std::string> channels;
+  for (const LayerRow* row : layerRows()) {
+    SCOPED_TRACE(row->name);
+    EXPECT_FALSE(row->integrator != nullptr && row->write != nullptr);
+    EXPECT_FALSE(row->channels.empty());
+    for (const std::string& channel : row->channels) EXPECT_TRUE(channels.insert(channel).second);
+  }
+}
+
+TEST(SceneRows, EachPropertySaysWhatItMeansAndHasAStartOfItsType) {
+  for (const xml::ObjectRule& rule : xml::objectRules())
+    for (const PropertyRow& row : rule.properties) {
+      SCOPED_TRACE(std::string(rule.type) + " " + row.name);
+      EXPECT_STRNE(row.meaning, "");
+      if (row.type == PropertyType::Float || row.type == PropertyType::Integer) {
+        EXPECT_EQ(problemOf(row, row.start), "");
+      }
+    }
 }
 
 TEST(SceneRows, AHintNamesAllIntegratorsOfTheTable) {
@@ -74,6 +122,8 @@ TEST(SceneRows, PropertiesOfTheFileHoldBesideAnotherIntegrator) {
   EXPECT_TRUE(scene.integrator.is(integrators::depth));
   EXPECT_EQ(useOf(scene, {&integrators::averageVisibility}).real("length"), 3.0);
   EXPECT_EQ(files.load(av).scene.integrator.real("length"), 3.0);
+  overrides.integrator = {&integrators::averageVisibility};
+  EXPECT_EQ(files.load(av, overrides).scene.integrator.real("length"), 3.0);
   EXPECT_EQ(IntegratorUse{&integrators::averageVisibility}.real("length"),
             std::numeric_limits<double>::infinity());
 }

@@ -16,6 +16,7 @@ namespace {
 
 using glm::dvec2;
 using glm::dvec3;
+using reference::Numbers;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Eight steps around, and none: an edge within one step of the middle parts some of them.
@@ -58,8 +59,7 @@ bool anySample(const Scene& scene, const Reference& reference, int x, int y, con
   for (int v = std::max(y - apron, 0); v <= std::min(y + apron, scene.camera.height - 1); ++v)
     for (int u = std::max(x - apron, 0); u <= std::min(x + apron, scene.camera.width - 1); ++u)
       for (std::uint32_t s = 0; s < scene.sampler.sampleCount; ++s)
-        if (wanted(dvec2(reference.samplePosition(u, v, s)),
-                   dvec2(reference.sampleNumbers(u, v, s))))
+        if (wanted(dvec2(reference.samplePosition(u, v, s)), reference.sampleNumbers(u, v, s)))
           return true;
   return false;
 }
@@ -100,9 +100,9 @@ bool Judge::mayHit(dvec2 film, std::optional<std::uint32_t> id, double distance)
   });
 }
 
-bool Judge::otherValue(dvec2 film, dvec2 numbers, double difference) const {
+bool Judge::otherValue(dvec2 film, const Numbers& numbers, double difference) const {
   const dvec3 own = reference_.radiance(film, numbers);
-  const auto differs = [&](dvec2 atFilm, dvec2 atNumbers) {
+  const auto differs = [&](dvec2 atFilm, const Numbers& atNumbers) {
     return differenceOf(reference_.radiance(atFilm, atNumbers), own, 0.0) > difference;
   };
   const double near = nearestDistance(film);
@@ -110,17 +110,17 @@ bool Judge::otherValue(dvec2 film, dvec2 numbers, double difference) const {
       near == kInfinity ? rounding_.ofBackground(film) : rounding_.ofShading(film, near);
   return std::ranges::any_of(kAround, [&](dvec2 around) {
     return differs(film + step * around, numbers) ||
-           (drawsDirections(scene_) &&
-            differs(film, glm::clamp(numbers + Rounding::kDirection * around, 0.0, 1.0)));
+           (drawsDirections(scene_) && differs(film, numbers.moved(Rounding::kDirection * around)));
   });
 }
 
 bool Judge::pixelSeesOtherHit(int x, int y) const {
-  return anySample(scene_, reference_, x, y, [&](dvec2 film, dvec2) { return otherHit(film); });
+  return anySample(scene_, reference_, x, y,
+                   [&](dvec2 film, const Numbers&) { return otherHit(film); });
 }
 
 bool Judge::explainsPixel(int x, int y, double difference) const {
-  return anySample(scene_, reference_, x, y, [&](dvec2 film, dvec2 numbers) {
+  return anySample(scene_, reference_, x, y, [&](dvec2 film, const Numbers& numbers) {
     return otherValue(film, numbers, 0.5 * difference);
   });
 }

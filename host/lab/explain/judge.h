@@ -25,7 +25,7 @@ class Judge {
   /// Rounding may make it meet that primitive, or none, at a distance from the camera.
   bool mayHit(glm::dvec2 film, std::optional<std::uint32_t> id, double distance) const;
   /// Rounding may change the sample's value by more than `difference` in a channel.
-  bool otherValue(glm::dvec2 film, glm::dvec2 numbers, double difference) const;
+  bool otherValue(glm::dvec2 film, const reference::Numbers& numbers, double difference) const;
 
   /// The same for some sample that the filter of a pixel reaches: one that meets another primitive,
   /// or one whose value changes by half of the pixel's difference. A sample weighs less than the

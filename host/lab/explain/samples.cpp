@@ -136,7 +136,7 @@ ComparedSample SampleComparison::at(int x, int y) const {
 void SampleComparison::compareValue(ComparedSample& sample, int x, int y,
                                     std::optional<double> bound) const {
   const dvec2 film(reference_.samplePosition(x, y, 0));
-  const dvec2 numbers(reference_.sampleNumbers(x, y, 0));
+  const reference::Numbers numbers = reference_.sampleNumbers(x, y, 0);
   const dvec3 wanted = reference_.radiance(film, numbers);
   const double off = maxNorm(pixelOf(value_, x, y) - wanted), size = maxNorm(wanted);
   const bool within = off <= bound.value_or(16.0 * kUnitRoundoff * size);

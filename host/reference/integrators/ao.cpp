@@ -9,7 +9,8 @@ namespace laver::reference {
 glm::dvec3 ambientOcclusion(const CameraSample& sample) {
   if (!sample.hit) return glm::dvec3(0.0);
   const Surface surface = sample.world.surface(*sample.hit);
-  return glm::dvec3(openness(sample.world, surface, cosineAround(surface.shading, sample.numbers),
+  return glm::dvec3(openness(sample.world, surface,
+                             cosineAround(surface.shading, sample.numbers.pair(1)),
                              std::numeric_limits<double>::infinity()));
 }
 
