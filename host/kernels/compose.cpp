@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "core/error.h"
@@ -82,6 +83,22 @@ void dispatch(Text& text, const std::vector<std::string>& names, const char* suf
   text.line("}}");
 }
 
+/// A user's own text: errors name its file and lines.
+void userText(const std::string& file, const std::string& own, Text& text) {
+  text.line("#line 1 \"{}\"", file);
+  text.append(own);
+  text.line("");
+}
+
+/// A BSDF of the user's own, whose numbers have their names while its text lasts.
+void userBsdf(const UserBsdfText& bsdf, Text& text) {
+  const char* components[] = {"x", "y", "z", "w"};
+  for (std::size_t i = 0; i < bsdf.numbers.size(); ++i)
+    text.line("#define xml_{} m.numbers.{}", bsdf.numbers[i], components[i]);
+  userText(bsdf.file, bsdf.text, text);
+  for (const std::string& number : bsdf.numbers) text.line("#undef xml_{}", number);
+}
+
 /// Materials and emitters.
 void shading(const TraceKey& key, Text& text) {
   if (key.textures.empty()) {
@@ -95,7 +112,14 @@ void shading(const TraceKey& key, Text& text) {
     text.include("texture/textured.glsl");
   }
   text.include("bsdf/material.glsl");
-  for (const std::string& bsdf : key.bsdfs) text.line("#include \"bsdf/{}.glsl\"", bsdf);
+  for (const std::string& bsdf : key.bsdfs) {
+    const auto own = std::find_if(key.userBsdfs.begin(), key.userBsdfs.end(),
+                                  [&](const UserBsdfText& u) { return u.name == bsdf; });
+    if (own != key.userBsdfs.end())
+      userBsdf(*own, text);
+    else
+      text.line("#include \"bsdf/{}.glsl\"", bsdf);
+  }
   dispatch(text, key.bsdfs, "Eval",
            "vec3 evalBsdf(Material m, vec3 normal, vec3 wi, vec3 wo, vec3 light)", "m.bsdf",
            "m, normal, wi, wo, light");
@@ -209,9 +233,7 @@ std::string compose(const TraceKey& key) {
     shading(key, text);
   properties(key, text);
   if (!key.userFile.empty()) {
-    text.line("#line 1 \"{}\"", key.userFile);
-    text.append(key.userText);
-    text.line("");
+    userText(key.userFile, key.userText, text);
   } else if (key.integrator == "centres") {
     text.include("film/centres.glsl");
   } else {

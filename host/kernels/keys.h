@@ -24,6 +24,14 @@ struct KernelProperty {
   bool operator==(const KernelProperty&) const = default;
 };
 
+/// A BSDF of the user's own. Its float properties are `xml_NAME` in its text.
+struct UserBsdfText {
+  std::string name, file, text;
+  std::vector<std::string> numbers;  ///< names, in the order of the materials' records
+
+  bool operator==(const UserBsdfText&) const = default;
+};
+
 /// Everything that a trace kernel is composed of, and nothing more: what is false, zero or empty is
 /// not in the kernel. Names are those of files in the folders of shaders/.
 struct TraceKey {
@@ -32,8 +40,9 @@ struct TraceKey {
   std::string camera = "perspective";
   std::string sampler = "independent";
   std::string background = "none";
-  std::vector<std::string> bsdfs;     ///< those that surfaces have; none: the integrator needs none
-  std::vector<std::string> textures;  ///< those that surfaces show
+  std::vector<std::string> bsdfs;  ///< those that surfaces have; none: the integrator needs none
+  std::vector<UserBsdfText> userBsdfs;  ///< of these, those of the user's own
+  std::vector<std::string> textures;    ///< those that surfaces show
   Traversal traversal = Traversal::Lane;
   std::uint32_t stack = 64;      ///< entries of the traversal's stack
   std::uint32_t jumpLevels = 0;  ///< tables that `independent` needs, 1 to 3

@@ -60,10 +60,27 @@ reference::Numbers Reference::sampleNumbers(int x, int y, std::uint32_t sample) 
   return {impl_->scene.camera, impl_->scene.sampler, {x, y, sample}};
 }
 
+namespace {
+
+void requireTwins(const Scene& scene, const IntegratorUse& shown) {
+  const auto refuse = [](const std::string& file) {
+    throw Error(ExitCode::Scene,
+                file + ": the reference renders laver's own integrators and BSDFs only");
+  };
+  if (shown.user) refuse(shown.user->file);
+  if (!shown.row->needs.materials) return;
+  for (const Mesh& mesh : scene.meshes)
+    if (mesh.bsdf.user) refuse(mesh.bsdf.user->file);
+}
+
+}  // namespace
+
 Rendered Reference::render(const RenderOptions& options) const {
+  requireTwins(impl_->scene, impl_->scene.integrator);
   Observers observers(options.observers);
   observers.started("reference");
   const std::vector<Shown> more = shownBeside(options.more, options.layers);
+  for (const Shown& shown : more) requireTwins(impl_->scene, shown.integrator);
   const std::size_t count = 1 + more.size();
   Rendered all = picture(impl_->scene.integrator, options, {0, count}, observers);
   const int width = all.image.width, height = all.image.height;

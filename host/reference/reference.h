@@ -50,7 +50,8 @@ class Reference {
   std::optional<CentreHit> centre(glm::dvec2 film) const;
 
   /// Samples, reconstructs, and rounds to float at the very end, up to where an observer ends it.
-  /// Throws Error(Usage) if the crop is empty or not inside the film.
+  /// Throws Error(Usage) if the crop is empty or not inside the film, and Error(Scene) where code
+  /// of the user's own is shown, which has no twin.
   Rendered render(const RenderOptions& options = {}) const;
 
  private:

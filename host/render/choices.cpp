@@ -55,6 +55,21 @@ std::vector<std::string> texturesOf(const Scene& scene) {
   return names;
 }
 
+/// Texts of the user's own BSDFs, each once.
+std::vector<UserBsdfText> userBsdfsOf(const Scene& scene) {
+  std::vector<UserBsdfText> texts;
+  for (const Mesh& mesh : scene.meshes) {
+    const auto& user = mesh.bsdf.user;
+    if (!user || std::any_of(texts.begin(), texts.end(),
+                             [&](const UserBsdfText& text) { return text.name == user->name; }))
+      continue;
+    texts.push_back({user->name, user->file, user->text, {}});
+    for (const PropertyRow& property : user->row.properties)
+      if (property.type == PropertyType::Float) texts.back().numbers.emplace_back(property.name);
+  }
+  return texts;
+}
+
 /// Whether the meshes' records differ in what a surface shows.
 bool materialsDiffer(const Scene& scene) {
   const auto& meshes = scene.meshes;
@@ -77,6 +92,7 @@ void noteImage(const std::shared_ptr<const Picture>& image, TraceKey& key) {
 /// What an integrator needs of surfaces' materials, textures and lights.
 void keyOfShading(const Scene& scene, const IntegratorRow& row, bool surfaces, TraceKey& key) {
   key.bsdfs = bsdfsOf(scene);
+  key.userBsdfs = userBsdfsOf(scene);
   key.lights = row.needs.lights && !scene.lights.empty();
   key.manyLights = key.lights && scene.lights.size() > shared::LIGHTS_PER_DISPATCH;
   if (row.needs.background && scene.environment) {

@@ -1,5 +1,9 @@
 #include "scene/bsdfs.h"
 
+#include <filesystem>
+
+#include "scene/user_text.h"
+
 namespace laver {
 
 // host/reference/bsdf/NAME.cpp
@@ -56,6 +60,17 @@ static const BsdfRow dielectric{.name = "dielectric",
 const Rows<BsdfRow>& bsdfRows() {
   static const Rows<BsdfRow> rows = {&bsdfs::diffuse, &bsdfs::mirror, &bsdfs::dielectric};
   return rows;
+}
+
+std::shared_ptr<UserBsdf> userBsdf(const std::string& file) {
+  std::optional<std::string> text = userText(file);
+  if (!text) return nullptr;
+  auto user = std::make_shared<UserBsdf>();
+  user->name = std::filesystem::path(file).stem().string();
+  user->file = file;
+  user->text = std::move(*text);
+  user->row.name = user->row.object = user->name.c_str();
+  return user;
 }
 
 std::vector<double> numbersOf(const Bsdf& bsdf) {

@@ -1,6 +1,9 @@
 #pragma once
 #include <glm/glm.hpp>
+#include <list>
+#include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -39,12 +42,24 @@ extern const BsdfRow diffuse;
 
 const Rows<BsdfRow>& bsdfRows();
 
+/// A BSDF in a GLSL file of the user's own, one for all meshes that name it. It has no twin; its
+/// properties are those that any of the meshes gives, 0 where another gives none.
+struct UserBsdf {
+  std::string name, file, text;
+  std::list<std::string> names;  ///< of the properties: the row points to them
+  BsdfRow row;
+};
+
+/// Reads one. Nothing where the file cannot be read.
+std::shared_ptr<UserBsdf> userBsdf(const std::string& file);
+
 /// What a mesh is made of.
 struct Bsdf {
   const BsdfRow* row = &bsdfs::diffuse;
-  glm::dvec3 albedo{0.5};          ///< its colour property; white where the row has none
-  std::optional<Texture> texture;  ///< stands for the colour
-  Values values{};                 ///< its floats, where they differ from the row's
+  glm::dvec3 albedo{0.5};                  ///< its colour property; white where the row has none
+  std::optional<Texture> texture;          ///< stands for the colour
+  Values values{};                         ///< its floats, where they differ from the row's
+  std::shared_ptr<const UserBsdf> user{};  ///< a BSDF in a file of the user's own
 
   double real(std::string_view property) const {
     return std::get<double>(valueOf(row->properties, values, property));

@@ -1,9 +1,9 @@
 #include "scene/integrators.h"
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <limits>
+
+#include "scene/user_text.h"
 
 namespace laver {
 
@@ -83,12 +83,12 @@ bool IntegratorUse::operator==(const IntegratorUse& other) const {
 }
 
 std::optional<IntegratorUse> userIntegrator(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return {};
+  std::optional<std::string> text = userText(file);
+  if (!text) return {};
   auto user = std::make_shared<UserIntegrator>();
   user->name = std::filesystem::path(file).stem().string();
   user->file = file;
-  user->text.assign(std::istreambuf_iterator<char>(in), {});
+  user->text = std::move(*text);
   user->row.name = user->row.object = user->name.c_str();
   user->row.needs = {
       .normals = true, .materials = true, .lights = true, .background = true, .numbers = true};

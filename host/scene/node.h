@@ -7,6 +7,8 @@
 
 namespace laver::xml {
 
+inline bool isElement(pugi::xml_node node) { return node.type() == pugi::node_element; }
+
 /// The byte offset of a tag's name, or of the first visible character of a text.
 std::size_t offsetOf(pugi::xml_node node, const TextSource& source);
 

@@ -51,15 +51,7 @@ void buildFilter(const Properties& given, std::string_view, Draft& draft) {
 }
 
 void buildBsdf(const Properties& given, std::string_view, Draft& draft) {
-  if (draft.meshes.empty()) return;
-  Bsdf bsdf{.row = &rowOf(given, bsdfRows()), .albedo = glm::dvec3(1.0)};
-  for (const PropertyRow& property : bsdf.row->properties) {
-    if (property.type == PropertyType::Color)
-      bsdf.albedo = given.triple(property.name);
-    else if (given.has(property.name))
-      setValue(bsdf.values, property.name, given.real(property.name));
-  }
-  draft.meshes.back().bsdf = std::move(bsdf);
+  takeBsdf(rowOf(given, bsdfRows()), nullptr, given, draft);
 }
 
 template <class Row>
@@ -97,6 +89,19 @@ void takeIntegrator(const IntegratorUse& use, Draft& draft) {
   draft.scene.fileIntegrator = use;
   if (!draft.overrides.integrator || *draft.overrides.integrator == use)
     draft.scene.integrator = use;
+}
+
+void takeBsdf(const BsdfRow& row, const std::shared_ptr<const UserBsdf>& user,
+              const Properties& given, Draft& draft) {
+  if (draft.meshes.empty()) return;
+  Bsdf bsdf{.row = &row, .albedo = glm::dvec3(1.0), .user = user};
+  for (const PropertyRow& property : row.properties) {
+    if (property.type == PropertyType::Color)
+      bsdf.albedo = given.triple(property.name);
+    else if (given.has(property.name))
+      setValue(bsdf.values, property.name, given.real(property.name));
+  }
+  draft.meshes.back().bsdf = std::move(bsdf);
 }
 
 std::span<const ObjectRule> objectRules() {

@@ -3,30 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "scene/suggest.h"
 #include "scene/transform_reader.h"
+#include "scene/user_text.h"
 
 namespace laver::xml {
 namespace {
 
-/// Of properties that reach GLSL.
-constexpr const char* kNameCharacters =
-    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
-
-constexpr ObjectRule kScene{"scene", "", {}, nullptr};
-
-bool isElement(pugi::xml_node node) { return node.type() == pugi::node_element; }
+const ObjectRule kScene{"scene", "", {}, nullptr};
 
 }  // namespace
-
-/// The user's own integrator TYPE.glsl beside the scene, if there is one.
-std::optional<IntegratorUse> Reader::integratorBeside(const std::string& type) const {
-  if (type.empty()) return {};
-  const auto folder = std::filesystem::path(source_.file()).parent_path();
-  return userIntegrator((folder / (type + ".glsl")).string());
-}
 
 void Reader::findIntegrator(pugi::xml_node root) {
   const char* type = root.child("integrator").attribute("type").value();
@@ -35,7 +22,7 @@ void Reader::findIntegrator(pugi::xml_node root) {
   } else if (const IntegratorRow* row = rowCalled(integratorRows(), type)) {
     integrator_ = IntegratorUse{row};
   } else {
-    integrator_ = integratorBeside(type);
+    integrator_ = userIntegrator(fileBeside(type));
   }
   if (integrator_) draft_.scene.integrator = *integrator_;
   if (!integrator_ && !root.child("integrator")) {
@@ -221,38 +208,17 @@ void Reader::readObject(pugi::xml_node node, const TagRule& rule, const ObjectRu
     readChildren(node, &properties, parent.tag);
     return;
   }
-  if (rule.tag == std::string_view("integrator") && readUserIntegrator(node, type)) return;
+  const bool integrator = rule.tag == std::string_view("integrator");
+  const bool bsdf = rule.tag == std::string_view("bsdf");
+  if (integrator && readUserIntegrator(node, type)) return;
+  if (bsdf && readUserBsdf(node, type, parent)) return;
   const auto types = knownTypes(rule.tag);
-  const std::string known =
-      types.empty() ? "it has none" : "expected " + expectedNames(type, types);
-  const bool replaced = rule.tag == std::string_view("integrator") && draft_.overrides.integrator;
+  std::string known = types.empty() ? "it has none" : "expected " + expectedNames(type, types);
+  if (const std::string file = userFileName(type); (integrator || bsdf) && !file.empty())
+    known += fmt::format("; nor is there a file {} beside the scene", file);
+  const bool replaced = integrator && draft_.overrides.integrator;
   missing(node, replaced ? Need::Never : rule.need,
           fmt::format("laver has no {} of type {}: {}", rule.tag, inQuotes(type), known));
-}
-
-// A file TYPE.glsl beside the scene is an integrator, whatever properties it takes.
-bool Reader::readUserIntegrator(pugi::xml_node node, const char* type) {
-  std::optional<IntegratorUse> use = integratorBeside(type);
-  if (!use) return false;
-  for (const pugi::xml_node child : node.children()) {
-    if (!isElement(child)) continue;
-    const PropertyType* property = findPropertyType(child.name());
-    const std::string name = child.attribute("name").value();
-    const bool named =
-        !name.empty() && name.find_first_not_of(kNameCharacters) == std::string::npos;
-    if (property == nullptr || *property == PropertyType::String ||
-        *property == PropertyType::Transform || !named) {
-      diagnostics_.error(
-          at(child), fmt::format("{} takes numbers, booleans, points, vectors and colours whose "
-                                 "names are letters, digits and _",
-                                 inQuotes(use->user->file)));
-      continue;
-    }
-    if (const auto value = readValue(child, *property, *property))
-      setValue(use->values, name, *value);
-  }
-  takeIntegrator(*use, draft_);
-  return true;
 }
 
 // A tag with a type is an object of somebody's dialect, unless it reads like one of laver's own.

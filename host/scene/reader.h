@@ -20,8 +20,10 @@ class Reader {
   void readProperty(pugi::xml_node node, PropertyType type, Properties& properties);
   std::optional<Value> readValue(pugi::xml_node node, PropertyType type, PropertyType wanted);
   void readObject(pugi::xml_node node, const TagRule& rule, const ObjectRule& parent);
-  std::optional<IntegratorUse> integratorBeside(const std::string& type) const;
+  std::string fileBeside(std::string_view type) const;
   bool readUserIntegrator(pugi::xml_node node, const char* type);
+  bool readUserBsdf(pugi::xml_node node, const char* type, const ObjectRule& parent);
+  void addProperties(pugi::xml_node node, UserBsdf& user);
   void readUnknownTag(pugi::xml_node node);
   bool checkPlace(pugi::xml_node node, const TagRule& rule, std::string_view parent);
   bool checkTexture(pugi::xml_node node, const ObjectRule& parent);

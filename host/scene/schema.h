@@ -1,5 +1,8 @@
 #pragma once
+#include <functional>
 #include <glm/glm.hpp>
+#include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -29,6 +32,7 @@ struct Draft {
   std::vector<MeshDraft> meshes;
   std::vector<PointLight> meshLights;  ///< they come after the scene's own
   std::size_t environmentOffset = 0;   ///< of its tag
+  std::map<std::string, std::shared_ptr<UserBsdf>> userBsdfs{};  ///< by file
 };
 
 /// An object that laver has: what it takes and what it does to the scene. `parent` is the tag that
@@ -37,11 +41,14 @@ struct ObjectRule {
   const char* tag;
   const char* type;
   std::span<const PropertyRow> properties;
-  void (*build)(const Properties& given, std::string_view parent, Draft& draft);
+  std::function<void(const Properties& given, std::string_view parent, Draft& draft)> build;
 };
 
 /// Puts an integrator that the file names into the scene, unless the command line names another.
 void takeIntegrator(const IntegratorUse& use, Draft& draft);
+/// Gives the last mesh a BSDF with what the file says of it. `user` holds the row of a user's own.
+void takeBsdf(const BsdfRow& row, const std::shared_ptr<const UserBsdf>& user,
+              const Properties& given, Draft& draft);
 
 /// Which integrators cannot do without an object.
 enum class Need {

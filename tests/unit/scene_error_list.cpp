@@ -23,7 +23,7 @@ TEST_F(SceneErrorList, AllOfAFileInItsOrder) {
       "bad.obj:2: error: vertex index 0, OBJ counts from 1\n"
       "f.xml:5:2: error: laver has no integrator of type \"nomals\": expected \"normals\", "
       "\"direct_whitted\", \"depth\", \"av\", \"ao\" or \"geometric_normals\" (nearest: "
-      "\"normals\")");
+      "\"normals\"); nor is there a file nomals.glsl beside the scene");
 }
 
 TEST_F(SceneErrorList, FileThatIsNotThereOrAFolder) {

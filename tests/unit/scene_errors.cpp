@@ -212,7 +212,7 @@ const std::vector<Case> kLacking = {
     {"integrator", scene("", "path_mis"),
      "f.xml:1:9: error: laver has no integrator of type \"path_mis\": expected \"normals\", "
      "\"direct_whitted\", \"depth\", \"av\", \"ao\" or \"geometric_normals\" (nearest: "
-     "\"normals\")"},
+     "\"normals\"); nor is there a file path_mis.glsl beside the scene"},
     {"camera", scene("<camera type=\"thinlens\"/>"),
      "f.xml:2:2: error: laver has no camera of type \"thinlens\": expected \"perspective\""},
     {"sampler", scene("<sampler type=\"halton\"/>"),
@@ -251,7 +251,8 @@ TEST(SceneErrors, AnUnknownBsdfNamesThoseOfTheTable) {
   files.write("t.obj", kTriangle);
   EXPECT_EQ(files.errors(scene(mesh("\n<bsdf type=\"disney\"/>"), "direct_whitted")),
             "f.xml:3:2: error: laver has no bsdf of type \"disney\": expected " +
-                xml::expectedNames("disney", xml::knownTypes("bsdf")));
+                xml::expectedNames("disney", xml::knownTypes("bsdf")) +
+                "; nor is there a file disney.glsl beside the scene");
 }
 
 }  // namespace

@@ -26,7 +26,8 @@ TEST_F(SceneLacking, WhatTheIntegratorDoesNotNeedIsWarnedOf) {
           "\nf.xml:4:2: warning: laver has no emitter of type \"sky\": expected \"pointlight\", "
           "\"point\", \"environment\", \"envmap\" or \"constant\" (nearest: \"point\")" +
           tail + "\nf.xml:5:58: warning: laver has no bsdf of type \"disney\": expected " +
-          xml::expectedNames("disney", xml::knownTypes("bsdf")) + tail +
+          xml::expectedNames("disney", xml::knownTypes("bsdf")) +
+          "; nor is there a file disney.glsl beside the scene" + tail +
           "\nf.xml:5:91: warning: laver has no emitter of type \"area\": expected \"pointlight\", "
           "\"point\", \"environment\", \"envmap\" or \"constant\" (nearest: \"point\")" +
           tail + "\nf.xml:6:2: warning: unknown tag <subsurface>: the nearest is <bsdf>" + tail +

@@ -105,15 +105,17 @@ TEST(SceneOverride, IntegratorMakesAnotherAWarningAndLightsUnneeded) {
   EXPECT_EQ(files.warnings(xml, with(integrators::normals)),
             "f.xml:1:9: warning: laver has no integrator of type \"path_mis\": expected "
             "\"normals\", \"direct_whitted\", \"depth\", \"av\", \"ao\" or \"geometric_normals\" "
-            "(nearest: \"normals\"); "
+            "(nearest: \"normals\"); nor is there a file path_mis.glsl beside the scene; "
             "ignored, "
             "integrator \"normals\" does not need it\n"
             "f.xml:3:2: warning: laver has no bsdf of type \"disney\": expected " +
                 xml::expectedNames("disney", xml::knownTypes("bsdf")) +
-                "; ignored, integrator \"normals\" does not need it");
+                "; nor is there a file disney.glsl beside the scene; ignored, integrator "
+                "\"normals\" does not need it");
   EXPECT_EQ(files.errors(xml, with(integrators::directWhitted)),
             "f.xml:3:2: error: laver has no bsdf of type \"disney\": expected " +
-                xml::expectedNames("disney", xml::knownTypes("bsdf")));
+                xml::expectedNames("disney", xml::knownTypes("bsdf")) +
+                "; nor is there a file disney.glsl beside the scene");
   EXPECT_TRUE(files.load(scene("", "depth"), with(integrators::normals))
                   .scene.integrator.is(integrators::normals));
 }
