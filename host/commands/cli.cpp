@@ -150,8 +150,8 @@ void addChart(CLI::App& app, ChartCommand& command) {
 }
 
 void addSchema(CLI::App& app, SchemaCommand& command) {
-  app.add_flag("--json", command.json, "as JSON");
-  app.add_flag("--markdown", command.markdown, "as tables of a Markdown document");
+  app.add_flag("--json", command.json, "as JSON")
+      ->excludes(app.add_flag("--markdown", command.markdown, "as tables of a Markdown document"));
 }
 
 /// Adds a subcommand; where it is given, it is the job.

@@ -40,14 +40,16 @@ nlohmann::json elementJson(const TagRule& tag) {
   return json;
 }
 
-std::string propertyLine(const nlohmann::json& property) {
-  std::string value = "required";
-  if (!property["required"]) {
-    value = property["default"];
-    if (value.empty()) value = property["type"] == "transform" ? "identity" : "none";
-  }
-  return fmt::format("    {:<12} {:<10} {}\n", property["name"].get<std::string>(),
-                     property["type"].get<std::string>(), value);
+/// The default, in words where the value has no text.
+std::string startText(const PropertyRow& row) {
+  if (row.required) return "required";
+  const std::string text = textOf(row.start);
+  if (!text.empty()) return text;
+  return row.type == PropertyType::Transform ? "identity" : "none";
+}
+
+std::string propertyLine(const PropertyRow& row) {
+  return fmt::format("    {:<12} {:<10} {}\n", row.name, tagOf(row.type), startText(row));
 }
 
 std::string elementText(const nlohmann::json& element) {
@@ -59,9 +61,10 @@ std::string elementText(const nlohmann::json& element) {
                   places.empty() ? "anywhere" : places, element["many"] ? "any number" : "one",
                   element["neededBy"].get<std::string>());
   if (element["types"].empty()) text += "  laver has no type of it\n";
-  for (const auto& type : element["types"]) {
-    text += fmt::format("  {}\n", type["type"].get<std::string>());
-    for (const auto& property : type["properties"]) text += propertyLine(property);
+  for (const ObjectRule& object : objectRules()) {
+    if (object.tag != element["tag"].get<std::string>()) continue;
+    text += fmt::format("  {}\n", object.type);
+    for (const PropertyRow& row : object.properties) text += propertyLine(row);
   }
   return text + '\n';
 }
@@ -111,14 +114,8 @@ std::string schemaMarkdown() {
       if (object.tag != std::string_view(tag.tag)) continue;
       if (object.properties.empty()) rows += fmt::format("| `{}` | | | | |\n", object.type);
       for (const PropertyRow& p : object.properties) {
-        const std::string start = textOf(p.start);
-        const std::string unit = rangeText(p);
-        rows +=
-            fmt::format("| `{}` | `{}` {} | {} | {} | {} |\n", object.type, p.name, tagOf(p.type),
-                        p.required      ? "required"
-                        : start.empty() ? "identity"
-                                        : start,
-                        unit, p.meaning);
+        rows += fmt::format("| `{}` | `{}` {} | {} | {} | {} |\n", object.type, p.name,
+                            tagOf(p.type), startText(p), rangeText(p), p.meaning);
       }
     }
     if (rows.empty()) continue;

@@ -42,6 +42,7 @@ TEST(Cli, EachSubcommandIsAJob) {
   EXPECT_TRUE(commandOf<PlanCommand>("plan a.xml --json").json);
   EXPECT_EQ(commandOf<ChartCommand>("chart a.xml --runs 3").runs, 3U);
   EXPECT_TRUE(commandOf<SchemaCommand>("schema --json").json);
+  EXPECT_TRUE(commandOf<SchemaCommand>("schema --markdown").markdown);
   commandOf<DevicesCommand>("devices");
   EXPECT_EQ(commandOf<HelpCommand>("--version").text.rfind("laver ", 0), 0U);
 }
@@ -89,6 +90,7 @@ TEST(Cli, ErrorsSayWhatWasExpected) {
   EXPECT_EQ(errorOf("a.xml --display-server x:y"),
             "--display-server x:y: expected HOST:PORT or [IPV6]:PORT");
   EXPECT_EQ(errorOf("compare a.exr"), "B.exr is required");
+  EXPECT_NE(errorOf("schema --json --markdown"), "no error");
   EXPECT_EQ(errorOf("explain"), "SCENE.xml is required");
   EXPECT_EQ(errorOf("plan a.xml b.xml"), "The following argument was not expected: b.xml");
 }

@@ -1,6 +1,7 @@
 // `laver schema` lists what the reader accepts, and the reader accepts what it lists.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <pugixml.hpp>
 #include <set>
@@ -170,6 +171,26 @@ TEST(SceneSchema, TheTextHoldsAllThatTheJsonHolds) {
         EXPECT_NE(text.find("\n    " + p["name"].get<std::string>() + " "), std::string::npos);
     }
   }
+}
+
+TEST(SceneSchema, TheMarkdownIsTablesOfAllTypesAndProperties) {
+  const std::string text = schemaMarkdown();
+  const json schema = schemaJson();
+  for (const json& element : schema["elements"]) {
+    if (element["types"].empty()) continue;
+    EXPECT_NE(text.find("### `<" + element["tag"].get<std::string>() + ">`\n"), std::string::npos);
+    for (const json& type : element["types"]) {
+      const std::string row = "\n| `" + type["type"].get<std::string>() + "` | ";
+      EXPECT_NE(text.find(row), std::string::npos) << row;
+      for (const json& p : type["properties"])
+        EXPECT_NE(text.find(row + '`' + p["name"].get<std::string>() + "` "), std::string::npos);
+    }
+  }
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);)
+    if (line.starts_with('|')) {
+      EXPECT_EQ(std::count(line.begin(), line.end(), '|'), 6) << line;
+    }
 }
 
 }  // namespace
