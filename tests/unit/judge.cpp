@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace laver {
+namespace laver::test {
 namespace {
 
 using glm::dvec2;
@@ -91,4 +91,4 @@ TEST(Judge, AWrongPixelIsUnexplainedAndSoIsNaN) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

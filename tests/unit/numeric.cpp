@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace laver {
+namespace laver::test {
 namespace {
 
 TEST(Numeric, UlpsAreThoseOfTheTruth) {
@@ -37,4 +37,4 @@ TEST(Numeric, QuantilesLieBetweenRanks) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

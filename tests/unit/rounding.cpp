@@ -12,7 +12,7 @@
 #include "render/packed.h"
 #include "shared/triangle.h"
 
-namespace laver {
+namespace laver::test {
 namespace {
 
 using glm::dvec2;
@@ -125,4 +125,4 @@ TEST(Rounding, GrowsWithTheCamerasDistanceFromTheScene) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test
