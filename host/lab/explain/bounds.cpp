@@ -117,8 +117,8 @@ BoundsOf::Local BoundsOf::onTriangle(dvec2 film, const Reference::Hit& hit, cons
   // what the ray's own turn and the corners' rounding do is in `aside`. Quotient and product 4
   // e.
   local.depth = 4.0 * e + (aside + 14.0 * e * distance + 2.0 * e * longest) / (distance * cosine);
-  // Rounded corners and edges tilt the plane.
-  local.normal = 8.0 * e + (4.0 + 2.0 * longest) * e / height;
+  // Rounded corners, e sqrt(3) / 2 each since |v| <= 1 on each axis, and edges tilt the plane.
+  local.normal = 8.0 * e + (2.0 + longest) * e / height;
   const double moved = local.shift / height + 10.0 * e;  // of the weights
   if (!mesh.normals.empty()) {
     std::array<dvec3, 3> n;
