@@ -12,7 +12,7 @@ TEST(FullBig, TenMillionTriangles) {
   // Half a gigabyte of triangles, read through texels: no storage range holds that much.
   Scene scene;
   scene.integrator = {&integrators::depth};
-  scene.meshes = {ball(2240, 2240, 0.05, glm::dvec3(0.0, 0.0, 4.0))};
+  scene.meshes = {bumpySphere(2240, 2240, 0.05, glm::dvec3(0.0, 0.0, 4.0))};
   ASSERT_GT(scene.meshes[0].triangles.size(), 10000000U);
   scene.camera.width = scene.camera.height = 64;
   Stats stats;

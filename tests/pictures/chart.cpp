@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "image/compare.h"
@@ -65,8 +66,8 @@ TEST_F(ChartCommandLine, MakesItsFiles) {
     }
   }
   std::set<std::string> expected;
-  ASSERT_EQ(laver("s.xml --size 16x12 --spp 1 --device cpu --stats=s.json -o s.exr --quiet").code,
-            0);
+  ASSERT_EQ(
+      laver("s.xml --size 16x12 --spp 1 --device $device --stats=s.json -o s.exr --quiet").code, 0);
   const auto stats = nlohmann::json::parse(contents(folder_ / "s.json"));
   for (const auto& series : chart::seriesFor(stats["traversal"], {})) expected.insert(series.name);
   EXPECT_EQ(names, expected);
@@ -94,7 +95,7 @@ TEST_F(ChartCommandLine, TheReferencesErrorIsWhatItSays) {
 
 TEST_F(ChartCommandLine, APeerIsMeasuredBesideLaver) {
   script("old", "exec '" LAVER_BINARY "' \"$@\"\n");
-  ASSERT_EQ(chart("--spp 4 --peer 'an older laver' './old --device cpu'").code, 0)
+  ASSERT_EQ(chart("--spp 4 --peer 'an older laver' \"./old --device $device\"").code, 0)
       << contents(folder_ / "err.txt");
   std::map<std::string, std::vector<double>> errors;
   const nlohmann::json all = json();

@@ -104,7 +104,7 @@ TEST(Device, NoHoleInAClosedMeshSeenFromInside) {
   // One sample a pixel, box filter: a ray that escapes leaves a black pixel.
   Scene scene;
   scene.integrator = {&integrators::depth};
-  scene.meshes = {ball(60, 90, 0.05, glm::dvec3(0.0))};
+  scene.meshes = {bumpySphere(60, 90, 0.05, glm::dvec3(0.0))};
   scene.camera.width = 1024;
   scene.camera.height = 768;
   scene.camera.fov = 120.0;

@@ -6,12 +6,12 @@
 namespace laver::test {
 namespace {
 
-/// From inside a bumpy ball, with a wide view: rays and directions of all kinds.
+/// From inside a bumpy sphere, with a wide view: rays and directions of all kinds.
 Scene insideABall(const IntegratorRow& integrator) {
   Scene scene;
   scene.integrator = {&integrator};
-  scene.meshes = {ball(60, 90, 0.05, glm::dvec3(0.1, 0.0, 0.0)),
-                  ball(12, 20, 0.0, glm::dvec3(0.1, 0.0, 9.0))};
+  scene.meshes = {bumpySphere(60, 90, 0.05, glm::dvec3(0.1, 0.0, 0.0)),
+                  bumpySphere(12, 20, 0.0, glm::dvec3(0.1, 0.0, 9.0))};
   for (glm::dvec3& p : scene.meshes[1].positions) p = 0.3 * (p - glm::dvec3(0.1, 0.0, 9.0));
   for (glm::uvec3& t : scene.meshes[0].triangles) std::swap(t.x, t.y);  // seen from inside
   scene.camera.width = 61;
@@ -39,7 +39,7 @@ TEST(Occlusion, EveryLengthEqualsTheReference) {
     EXPECT_LE(now, before);
     before = now;
   }
-  EXPECT_EQ(before, 0.0);  // nothing leaves the ball
+  EXPECT_EQ(before, 0.0);  // nothing leaves the sphere
   scene.integrator.set("length", 1e-9);
   EXPECT_GT(mean(render(scene)), 0.999);
 }

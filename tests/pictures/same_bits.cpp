@@ -153,7 +153,7 @@ TEST(SameBits, LaneAndPacketsFromInsideAMeshWithAWideView) {
   // rays: the light is inside too.
   Scene scene;
   scene.integrator = {&integrators::directWhitted};
-  scene.meshes = {ball(60, 90, 0.05, glm::dvec3(0.1, 0.0, 0.0))};
+  scene.meshes = {bumpySphere(60, 90, 0.05, glm::dvec3(0.1, 0.0, 0.0))};
   for (auto& t : scene.meshes[0].triangles) std::swap(t.x, t.y);  // seen from inside
   scene.camera.width = scene.camera.height = 64;
   scene.camera.fov = 170.0;

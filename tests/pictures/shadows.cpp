@@ -14,7 +14,7 @@ Scene litBall(double bump, double distance) {
   const glm::dvec3 centre(0.3, 0.2, 0.1);
   Scene scene;
   scene.integrator = {&integrators::directWhitted};
-  scene.meshes = {ball(150, 300, bump, centre)};
+  scene.meshes = {bumpySphere(150, 300, bump, centre)};
   scene.camera.width = scene.camera.height = 300;
   scene.camera.toWorld[3] = glm::dvec4(0.3, 0.2, -5.0, 1.0);
   scene.filter = {&filters::box, 0.5, 0.0, 0.0, 0.0};

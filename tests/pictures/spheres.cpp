@@ -17,7 +17,7 @@ Mesh sphere(glm::dvec3 centre, double radius, double albedo) {
   return mesh;
 }
 
-/// Spheres of all sizes in half a bumpy ball of triangles, seen from among them.
+/// Spheres of all sizes in half a bumpy sphere of triangles, seen from among them.
 Scene someSpheres(const IntegratorRow& integrator) {
   Scene scene;
   scene.integrator = {&integrator};

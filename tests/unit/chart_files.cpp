@@ -8,8 +8,10 @@
 #include "lab/chart/chart.h"
 #include "scene/samplers.h"
 
-namespace laver::chart {
+namespace laver::test {
 namespace {
+
+using namespace chart;
 
 Chart someChart() {
   Chart chart;
@@ -96,4 +98,4 @@ TEST(ChartSeries, StepsTakeFourTimesTheSamplesOrHalfTheError) {
 }
 
 }  // namespace
-}  // namespace laver::chart
+}  // namespace laver::test

@@ -4,13 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <set>
 #include <sstream>
 
 #include "lab/chart/panels.h"
 
-namespace laver::chart {
+namespace laver::test {
 namespace {
+
+using namespace chart;
 
 std::vector<std::string> fieldsOf(const std::string& line) {
   std::vector<std::string> fields(1);
@@ -104,7 +107,7 @@ TEST_P(ChartLayout, NoLabelLiesOnAnotherOrOnASymbolOrOutsideItsPanel) {
   ASSERT_EQ(figure.panels.size(), 4U);
   for (const Panel& panel : figure.panels) {
     SCOPED_TRACE(panel.title);
-    const Layout layout = layoutOf(panel, textWidth);
+    const Layout layout = layoutOf(panel, chart::textWidth);
     EXPECT_EQ(faults(boxesOf(layout), layout.symbols), 0U);
     EXPECT_LE(panel.curves.size(), kMaxCurves);
     // Title, both axes' names and ticks, and the curves' names are all there, and whole.
@@ -121,7 +124,7 @@ TEST_P(ChartLayout, NoLabelLiesOnAnotherOrOnASymbolOrOutsideItsPanel) {
 TEST_P(ChartLayout, LabelsAlwaysAtTheSameSideWouldOverlap) {
   std::size_t found = 0;
   for (const Panel& panel : figureOf(measuredChart(GetParam())).panels) {
-    const Layout layout = layoutOf(panel, textWidth);
+    const Layout layout = layoutOf(panel, chart::textWidth);
     std::vector<Rect> boxes;
     for (std::size_t i = panel.curves.size(); i < layout.symbols.size(); ++i) {
       const glm::dvec2 at = layout.symbols[i].at + glm::dvec2(6, -5);
@@ -138,7 +141,7 @@ INSTANTIATE_TEST_SUITE_P(Measured, ChartLayout,
 
 TEST(ChartPanel, OfMarksInOnePlaceStillHasNoOverlaps) {
   const Panel panel = crowdedPanel();
-  const Layout layout = layoutOf(panel, textWidth);
+  const Layout layout = layoutOf(panel, chart::textWidth);
   EXPECT_EQ(faults(boxesOf(layout), layout.symbols), 0U);
   EXPECT_EQ(layout.symbols.size(), 6U * 8U + 6U);
 }
@@ -150,7 +153,7 @@ TEST(ChartPanel, LabelsMarksThatHaveRoom) {
     panel.curves[0].marks.push_back({x, x, x, 1.0 / x, std::to_string(1 << (2 * i))});
   }
   std::set<std::string> texts;
-  for (const Label& label : layoutOf(panel, textWidth).labels)
+  for (const Label& label : layoutOf(panel, chart::textWidth).labels)
     if (label.colour == panel.curves[0].colour) texts.insert(label.text);
   EXPECT_EQ(texts, (std::set<std::string>{"1", "4", "16", "64"}));
 }
@@ -159,13 +162,13 @@ TEST(ChartPanel, LeavesOutWhatHasNoPlaceOnLogarithmicAxes) {
   Panel panel{"Title", "x", "y", {{"curve", {0, 0, 0}, Shape::Disc, true, {}}}, 0};
   for (const double y : {1.0, 0.0, -1.0, std::nan(""), 0.1})
     panel.curves[0].marks.push_back({1.0, 1.0, 1.0, y, "label"});
-  EXPECT_EQ(layoutOf(panel, textWidth).symbols.size(), 1U + 2U);
+  EXPECT_EQ(layoutOf(panel, chart::textWidth).symbols.size(), 1U + 2U);
 }
 
 TEST(ChartPanel, CutsNamesThatAreWiderThanThePanel) {
   Panel panel{
       std::string(200, 'W'), "x", "y", {{std::string(200, 'M'), {}, Shape::Disc, true, {}}}, 0};
-  const Layout layout = layoutOf(panel, textWidth);
+  const Layout layout = layoutOf(panel, chart::textWidth);
   EXPECT_EQ(faults(boxesOf(layout), layout.symbols), 0U);
 }
 
@@ -208,4 +211,4 @@ TEST(ChartFigure, APeerLooksTheSameInEveryPanel) {
 }
 
 }  // namespace
-}  // namespace laver::chart
+}  // namespace laver::test

@@ -6,8 +6,10 @@
 
 #include "lab/chart/numbers.h"
 
-namespace laver::chart {
+namespace laver::test {
 namespace {
+
+using namespace chart;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
@@ -37,4 +39,4 @@ TEST(ChartNumbers, AxesHoldTheirValuesAndHaveTicks) {
 }
 
 }  // namespace
-}  // namespace laver::chart
+}  // namespace laver::test
