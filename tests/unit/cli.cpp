@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-namespace laver {
+namespace laver::test {
 namespace {
 
 Job jobOf(const std::string& arguments) {
@@ -105,4 +105,4 @@ TEST(Cli, HelpListsTheTablesNames) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test

@@ -6,8 +6,8 @@
 
 #include "support/scene_files.h"
 
+namespace laver::test {
 namespace {
-using namespace laver;
 
 std::string hashOfParts(const std::vector<std::string>& parts) {
   Hash hash;
@@ -23,7 +23,7 @@ TEST(Hash, DependsOnEveryByteAndOnHowTheyAreDivided) {
 }
 
 TEST(Hash, OfAFileIsXxh3OfItsBytes) {
-  const test::SceneFiles files;
+  const SceneFiles files;
   EXPECT_EQ(hashOfFile(files.write("empty", "")), "2d06800538d394c2");  // as the specification says
   const std::string text(200000, 'x');
   EXPECT_EQ(hashOfFile(files.write("long", text)),
@@ -32,3 +32,4 @@ TEST(Hash, OfAFileIsXxh3OfItsBytes) {
 }
 
 }  // namespace
+}  // namespace laver::test

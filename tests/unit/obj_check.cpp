@@ -3,8 +3,8 @@
 
 #include "scene/obj.h"
 
+namespace laver::test {
 namespace {
-using namespace laver;
 
 struct Case {
   const char* name;
@@ -134,3 +134,4 @@ TEST(ObjCheckLimits, OtherCountsThanTheParsersGiveNoData) {
 }
 
 }  // namespace
+}  // namespace laver::test

@@ -5,8 +5,8 @@
 
 #include "scene/obj.h"
 
+namespace laver::test {
 namespace {
-using namespace laver;
 using Triangles = std::vector<glm::uvec3>;
 
 obj::ObjData parsed(const std::string& text) {
@@ -189,3 +189,4 @@ TEST(ObjLoad, ReadyMeshesAreParsedOnceAndNotChecked) {
 }
 
 }  // namespace
+}  // namespace laver::test

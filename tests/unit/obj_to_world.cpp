@@ -7,8 +7,8 @@
 
 #include "scene/obj.h"
 
+namespace laver::test {
 namespace {
-using namespace laver;
 
 obj::ObjData triangle() {
   obj::ObjData data;
@@ -86,3 +86,4 @@ TEST(ObjToWorld, IdentityChangesNoBit) {
 }
 
 }  // namespace
+}  // namespace laver::test

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace laver {
+namespace laver::test {
 namespace {
 
 struct Notes : Observer {
@@ -63,4 +63,4 @@ TEST(Observers, UnfinishedRowsAreDueWhereOneHasTimeForThem) {
 }
 
 }  // namespace
-}  // namespace laver
+}  // namespace laver::test
