@@ -127,7 +127,7 @@ Reason materialBsdfs(const Facts& f) {
   return {"BSDFs", joined(f.uploads.bsdfs), "those of the meshes", "the others", 0};
 }
 
-Reason textures(const Facts& f) {
+Reason surfaceTextures(const Facts& f) {
   if (!f.uploads.textures)
     return {"textures", "left out", "no texture is shown", "the loads of a hit", 0};
   return {"textures", joined(f.uploads.textureKinds), "those of the meshes", "the others", 0};
@@ -270,9 +270,9 @@ std::vector<Reason> reasonsOf(const Scene& scene, const RenderOptions& options,
   const Facts f(scene, options, choices);
   std::vector<Reason> reasons = {integrator(f),
                                  {"traversal", traversalName(choices.traversal), traversal, "", 0}};
-  for (const auto reason : {rays, spheres, normals, materials, materialBsdfs, textures, images,
-                            background, uvs, indices, lights, shadowRays, sampler, samplerTables,
-                            filter, film, adaptive, sideBySide, passes})
+  for (const auto reason : {rays, spheres, normals, materials, materialBsdfs, surfaceTextures,
+                            images, background, uvs, indices, lights, shadowRays, sampler,
+                            samplerTables, filter, film, adaptive, sideBySide, passes})
     reasons.push_back(reason(f));
   return reasons;
 }

@@ -23,13 +23,19 @@ using enum PropertyType;
 /// `rows`, and after them those that all textures have.
 std::vector<PropertyRow> placed(std::vector<PropertyRow> rows) {
   const Texture texture;
-  const auto add = [&](const char* name, double start, const char* meaning) {
-    rows.push_back({.name = name, .type = Float, .start = start, .meaning = meaning});
+  const PropertyRow all[] = {
+      {.name = "scalex", .type = Float, .start = texture.scale.x, .meaning = "factor of u"},
+      {.name = "scaley", .type = Float, .start = texture.scale.y, .meaning = "factor of v"},
+      {.name = "offsetx",
+       .type = Float,
+       .start = texture.offset.x,
+       .meaning = "added to the scaled u"},
+      {.name = "offsety",
+       .type = Float,
+       .start = texture.offset.y,
+       .meaning = "added to the scaled v"},
   };
-  add("scalex", texture.scale.x, "factor of u");
-  add("scaley", texture.scale.y, "factor of v");
-  add("offsetx", texture.offset.x, "added to the scaled u");
-  add("offsety", texture.offset.y, "added to the scaled v");
+  rows.insert(rows.end(), std::begin(all), std::end(all));
   return rows;
 }
 
