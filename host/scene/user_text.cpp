@@ -23,7 +23,9 @@ std::optional<std::string> userText(const std::string& file) {
 }
 
 std::string userFileName(std::string_view type) {
-  return isGlslName(type) ? std::string(type) + ".glsl" : std::string();
+  constexpr std::size_t kLongestFileName = 255;  // of the file systems that are in use
+  const std::string file = std::string(type) + ".glsl";
+  return isGlslName(type) && file.size() <= kLongestFileName ? file : std::string();
 }
 
 bool isGlslName(std::string_view name) {

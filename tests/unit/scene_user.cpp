@@ -30,7 +30,7 @@ TEST_F(SceneUser, AnIntegratorTakesNumbersOfAnyName) {
   ASSERT_NE(use.user, nullptr);
   EXPECT_EQ(use.user->text, "text of mine");
   EXPECT_STREQ(use.row->name, "mine");
-  EXPECT_EQ(describe(loaded.scene).substr(0, 65),
+  EXPECT_EQ(describe(loaded.scene).substr(0, 66),
             "Scene[\n  integrator = mine[reach=0.5, n_2=3, tint=1 2 3, on=true],");
 }
 
