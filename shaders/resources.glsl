@@ -1,5 +1,5 @@
-// Bindings: everything that a kernel reads and writes. The constants of the kernel's key stand before
-// this text (host/kernels/compose.cpp).
+// Bindings: all buffers that kernels read and write. The constants of the kernel's key precede this text
+// (host/kernels/compose.cpp).
 #include "shared/layout.h"
 
 const uint REACH = 2u * APRON + 1u;  // pixels on an axis that one sample reaches
@@ -7,8 +7,8 @@ const uint REACH = 2u * APRON + 1u;  // pixels on an axis that one sample reache
 layout(std140, binding = BIND_PARAMS) uniform ParamsBlock { Params params; };
 layout(push_constant) uniform PassBlock { Pass pass; };
 
-// Images without samplers: SPIR-V 1.6 forbids buffers as sampled images. uvec4 texels: floats keep their
-// bits, denormals and NaN patterns included.
+// Texel buffers are bound without samplers, since SPIR-V 1.6 forbids sampled images of dimension Buffer.
+// Their type is uvec4: floats keep their bits, denormals and NaN patterns included.
 layout(binding = BIND_NODES) uniform utextureBuffer nodeTexels;
 layout(binding = BIND_TRIANGLES) uniform utextureBuffer triangleTexels;
 layout(binding = BIND_ATTRIBUTES) uniform utextureBuffer attributeTexels;
@@ -30,12 +30,12 @@ layout(binding = BIND_IMAGES) uniform utextureBuffer imageTexels;
 
 vec3 texelVec3(uvec4 texel) { return uintBitsToFloat(texel.xyz); }
 
-// Samples stored in one block of SLOT_COLUMNS pixels of a row: those that are summed together.
+// Samples stored in one block of SLOT_COLUMNS pixels of a row: those that are added up together.
 uint slotsPerBlock() { return min(pass.sampleCount, GATHER_SAMPLES) * SLOT_COLUMNS; }
 
-// Slot of a sample, by region pixel (x, y) and its number in the pass: block after block along a row,
-// row after row. Tracing goes through memory from front to back, and so do gathering strips, which are
-// half a block wide (film/gather_strip.glsl).
+// Slot of a sample, by (x, y) in pixels of the region and its number in the pass. Blocks follow each other
+// along a row, rows follow each other. Both tracing and gathering by strips, which are half a block wide
+// (film/gather_strip.glsl), therefore go through memory from front to back.
 int sampleSlot(uvec3 xys) {
   const uint blocksPerRow = (pass.region.z + SLOT_COLUMNS - 1u) / SLOT_COLUMNS;
   const uint row = xys.z / GATHER_SAMPLES * pass.region.w + xys.y;

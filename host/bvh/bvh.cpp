@@ -15,7 +15,7 @@ namespace {
 
 BuildItem itemOf(const shared::Triangle& t, std::uint32_t number) {
   if (t.flipped == shared::IS_SPHERE) {
-    const glm::vec3 reach(t.b.x * shared::BALL_GROWTH);
+    const glm::vec3 reach(t.b.x * shared::SPHERE_GROWTH);
     return {t.a - reach, t.a + reach, number};
   }
   return {glm::min(glm::min(t.a, t.b), t.c), glm::max(glm::max(t.a, t.b), t.c), number};

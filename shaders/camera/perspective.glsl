@@ -1,4 +1,4 @@
-// A pinhole camera: the direction through a film position, in pixels.
+// A pinhole camera: the direction through a film position given in pixels.
 #include "resources.glsl"
 
 vec3 cameraDirection(vec2 film) {

@@ -1,4 +1,4 @@
-// Box tests for the chart: two usual ones on tight boxes, and laver's on grown ones.
+// Box tests for the chart: two common ones on tight boxes, and laver's on grown boxes.
 #include "shared/box.h"
 #include "shared/charted.h"
 
@@ -33,7 +33,7 @@ BoxSpan boxOf(WalkRay ray, vec3 lo, vec3 hi) {
   BoxSpan span;
   span.near = max(max(enter.x, enter.y), max(enter.z, ray.first));
   span.far = min(leave.x, min(leave.y, leave.z));
-  if (BOXES == BOXES_ROBUST) span.far *= 1.00000024;
+  if (BOXES == BOXES_ROBUST) span.far *= 1.00000024;  // 1 + 2 gamma(3)
   span.depth = span.near;
   return span;
 }

@@ -1,6 +1,6 @@
-// Intersection methods side by side, for the chart alone: one walk, one ray per invocation, with a choice
-// of triangle test (TRIANGLES), box test (BOXES) and form of nodes (QUANTISED). laver renders with `ours`
-// of each.
+// Intersection methods that `laver chart` compares: one walk, one ray per invocation, with a choice of
+// triangle test (TRIANGLES), box test (BOXES) and node format (QUANTISED). laver itself renders with
+// TRIANGLES_OURS and BOXES_OURS.
 #include "shared/charted.h"
 #include "shared/layout.h"
 #include "shared/point.h"
@@ -15,13 +15,13 @@ layout(binding = CHARTED_NODES) uniform utextureBuffer nodeTexels;
 layout(binding = CHARTED_TRIANGLES) uniform utextureBuffer triangleTexels;
 layout(binding = CHARTED_HITS) writeonly buffer HitBlock { vec4 hitOf[]; };
 layout(binding = CHARTED_IDS) writeonly buffer IdBlock { uint idOf[]; };
-layout(push_constant) uniform CountBlock { uvec4 count; };  // rays, reference of the root
+layout(push_constant) uniform CountBlock { uvec4 count; };  // number of rays, reference of the root
 
 vec3 texelVec3(uvec4 texel) { return uintBitsToFloat(texel.xyz); }
 
-// Quantised node (after Ylitie, Karras and Laine, "Efficient Incoherent Ray Traversal on GPUs
-// Through Compressed Wide BVHs", 2017): a texel with the origin and three exponents of 8 bits, then
-// a texel a child: lo and hi in steps of 2^exponent from the origin, 8 bits an axis; reference.
+// Quantised node (after Ylitie, Karras and Laine, "Efficient Incoherent Ray Traversal on GPUs Through
+// Compressed Wide BVHs", 2017): one texel with the origin and three exponents of 8 bits, then one texel per
+// child: lo and hi in steps of 2^exponent from the origin, 8 bits per axis; the reference.
 vec3 steps(uint packed) { return vec3(packed & 255u, packed >> 8 & 255u, packed >> 16 & 255u); }
 
 uint enterNode(WalkRay ray, uint node, float last) {
@@ -62,13 +62,13 @@ uint enterNode(WalkRay ray, uint node, float last) {
 
 void main() {
   const uint number = gl_GlobalInvocationID.x;
-  const bool live = number < count.x;
-  const int texel = int(live ? number : 0u) * 2;
-  const uvec4 start = texelFetch(rayTexels, texel), way = texelFetch(rayTexels, texel + 1);
-  const vec3 origin = texelVec3(start), direction = texelVec3(way);
+  const bool isActive = number < count.x;
+  const int texel = int(isActive ? number : 0u) * 2;
+  const uvec4 start = texelFetch(rayTexels, texel), end = texelFetch(rayTexels, texel + 1);
+  const vec3 origin = texelVec3(start), direction = texelVec3(end);
   const WalkRay ray = walkRay(origin, direction, uintBitsToFloat(start.w));
-  // Depths along the largest component of the direction, as everywhere.
-  float last = uintBitsToFloat(way.w) * ray.scale;
+  // Depths are measured along the largest component of the direction, as in triangle.h.
+  float last = uintBitsToFloat(end.w) * ray.scale;
   uint best = NO_HIT, bestId = NO_HIT;
   uint ref = count.y;
   stacked = 0u;
@@ -94,7 +94,7 @@ void main() {
       ref = pop(last);
     } while (ref >= REF_LEAF && ref != REF_NONE);
   } while (ref != REF_NONE);
-  if (!live) return;
+  if (!isActive) return;
   vec4 result = vec4(0.0, 0.0, 0.0, last / ray.scale);
   if (best != NO_HIT) {
     const vec3 a = texelVec3(texelFetch(triangleTexels, int(best) * 3));

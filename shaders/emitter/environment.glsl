@@ -1,4 +1,4 @@
-// A background of an image around the scene, by latitude and longitude.
+// A background image around the scene, by latitude and longitude.
 #include "texture/image.glsl"
 #include "texture/angle.glsl"
 

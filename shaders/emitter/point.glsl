@@ -10,11 +10,11 @@ PointLight pointLightAt(uint number) {
                     texelVec3(texelFetch(lightTexels, texel + 1)));
 }
 
-// Light that arrives at a surface from one emitter, if nothing lies between.
+// Light from one emitter at a surface, if unoccluded.
 struct LightSample {
-  vec3 direction;   // to the emitter, of the distance's length
+  vec3 direction;   // to the emitter, not normalised
   vec3 irradiance;  // cosine included
-  bool reaches;     // from the upper side
+  bool reaches;     // the emitter is above the surface
 };
 
 LightSample sampleLight(PointLight light, Surface s) {
@@ -22,7 +22,7 @@ LightSample sampleLight(PointLight light, Surface s) {
   arriving.direction = light.position - s.position;
   const float squared = dotProduct(arriving.direction, arriving.direction);
   const float along = dotProduct(s.normal, arriving.direction);
-  // Nearer than 2^-50 of the scene, far below the rounding of positions, is on the surface.
+  // A light nearer than 2^-50 of the scene, far below the rounding of positions, lies on the surface.
   arriving.reaches = along > 0.0 && squared > 7.8886091e-31;
   arriving.irradiance = light.radiance / squared * (along / sqrt(squared));
   return arriving;

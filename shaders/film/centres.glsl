@@ -1,5 +1,5 @@
-// In place of an integrator: the hit of the ray through a pixel's centre, written to the film (FilmPixel
-// says how). The samples that the main function stores are not read.
+// In place of an integrator: writes the hit of the ray through each pixel's centre to the film, encoded as
+// FilmPixel describes. The samples that main() stores are not read.
 void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
   FOR_RAYS (uint r = 0u; r < R; ++r) {
     const uvec2 place = rayPlace(tileOrigin(), r).xy;

@@ -1,7 +1,7 @@
-// Reconstruction: adds, for each pixel of the core, the samples of the pass around it to running
-// sums. An invocation goes down a column and keeps a sum for each row that the samples of the
-// present one reach, so that a sample is read once a column. Rows outer, GATHER_SAMPLES samples of
-// a pixel, columns inner; then one compensated sum (Neumaier's two-sum, Knuth TAOCP 4.2.2).
+// Reconstruction: for each pixel of the core, adds the samples of the pass around it to running sums. An
+// invocation goes down a column and keeps one sum per row that the samples of the current row reach, so that
+// it reads each sample of a column once. Order of summation: rows outermost, then GATHER_SAMPLES samples of a
+// pixel, then columns; that sum is added with compensation (Neumaier; Knuth's two-sum, TAOCP 4.2.2).
 
 layout(local_size_x = GATHER_GROUP / COLUMNS) in;
 
@@ -16,7 +16,7 @@ void addCompensated(uint at, vec4 x) {
   filmPixels[at] = pixel;
 }
 
-// First column, number of the rows, samples of the pass.
+// First column, index of the strip of rows, samples of the pass.
 uvec3 stripOf() {
   if (!ADAPTIVE)
     return uvec3(pass.part.x + gl_GlobalInvocationID.x * COLUMNS, gl_WorkGroupID.y, pass.sampleCount);
@@ -29,7 +29,7 @@ void main() {
   const int apron = int(APRON);
   const ivec4 part = ivec4(pass.part);
   const ivec2 shift = ivec2(pass.core.xy) - ivec2(pass.region.xy);
-  // Strips start where blocks of slots do, or halfway (sampleSlot).
+  // A strip starts at a block of slots or at half of one (sampleSlot).
   const uvec3 strip = stripOf();
   const int column = int(strip.x) - (shift.x & int(COLUMNS - 1u));
   const int first = part.y + int(strip.y * pass.stripRows);

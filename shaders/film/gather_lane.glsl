@@ -1,9 +1,9 @@
-// Gathering on any device: an invocation sums for one column and reads all samples that it needs.
+// Gathering on any device: an invocation sums for one column and reads all the samples that it needs.
 #include "film/gathered.glsl"
 
 const uint COLUMNS = 1u;
 
-// Adds samples number s of a row of pixels to what they reach of column x of the region.
+// Adds sample s of each pixel of a row to the sums of column x of the region.
 void addRow(inout vec4 sums[COLUMNS][REACH], int x, int row, uint s) {
   for (uint i = 0u; i < REACH; ++i) {
     const int column = x + int(i) - int(APRON);

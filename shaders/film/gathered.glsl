@@ -1,28 +1,29 @@
-// A sample as gathering sees it.
+// Reading stored samples, and their filter weights.
 #include "film/adaptive.glsl"
 
-// Sample s of a pixel of the region: radiance and place; none outside the region.
+// Sample s of a pixel of the region: value.rgb is its radiance, (value.w, inY) its position inside the pixel.
+// DROPPED outside the region.
 struct Gathered {
   vec4 value;
   float inY;
-  float share;  // what it counts for, where pixels have counts of their own
+  float share;  // weight of the sample; 1 unless sampling is adaptive
 };
 
 bool inRegion(int x, int y) {
   return x >= 0 && y >= 0 && x < int(pass.region.z) && y < int(pass.region.w);
 }
 
-// A slot that the pass has written, for places that have none: what lies elsewhere may be NaN, which
-// no weight makes zero. Adaptive passes may not have written it, and look at shares.
+// A slot that the pass has written, read for pixels that have none: other memory may hold NaN, which no
+// weight makes zero. In adaptive passes it may be unwritten; they test the sample's share instead.
 int writtenSlot;
 
-// From what is stored: outside the region any sample's value, and any number for inY.
+// From the stored value, which outside the region may be that of any sample, with any inY.
 Gathered gathered(ivec2 place, uint s, vec4 value, float inY) {
   const bool exists = inRegion(place.x, place.y);
   Gathered g = Gathered(value, exists ? inY : 0.0, 1.0);
   if (!exists) g.value.w = DROPPED;
   if (ADAPTIVE) {
-    // Where nothing was traced lies what an earlier pass left, or nothing yet.
+    // Slots without a sample hold stale values of an earlier pass or none at all.
     const float share = shareOf(exists ? uvec2(place) : uvec2(0u), s);
     g.share = exists ? share : 0.0;
     g.value = g.share > 0.0 ? g.value : vec4(0.0, 0.0, 0.0, DROPPED);
@@ -37,7 +38,7 @@ Gathered gathered(ivec2 place, uint s) {
                   texelFetch(sampleYTexels, slot / 4)[slot % 4]);
 }
 
-// With its weights for the pixels at -APRON to APRON on both axes.
+// A sample with its weights for the pixels at -APRON to APRON on both axes.
 struct Weighed {
   vec3 radiance;
   float x[REACH], y[REACH];
@@ -57,7 +58,7 @@ vec4 plusWeighted(vec4 sum, vec3 radiance, float wx, float wy) {
   return result;
 }
 
-// Adds one sample, weight x[column], to the sums of the rows that it reaches.
+// Adds one sample, with weight x[column] on the x axis, to the sums of the rows that it reaches.
 void addSample(inout vec4 sums[REACH], Weighed sampled, uint column) {
   [[unroll]] for (uint k = 0u; k < REACH; ++k)
     sums[k] = plusWeighted(sums[k], sampled.radiance, sampled.x[column], sampled.y[k]);

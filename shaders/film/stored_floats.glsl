@@ -1,3 +1,3 @@
-// A vec4 as kernels store it.
+// The type in which kernels store a vec4.
 #define Stored vec4
 Stored stored(vec4 v) { return v; }

@@ -1,5 +1,5 @@
-// A vec4 as kernels store it: lavapipe stores number by number and lane by lane, so that two 64-bit
-// numbers take less time than four floats.
+// The type in which kernels store a vec4: lavapipe stores component by component and lane by lane, so two
+// 64-bit integers take less time than four floats.
 #define Stored u64vec2
 Stored stored(vec4 v) {
   const uvec4 bits = floatBitsToUint(v);

@@ -3,7 +3,7 @@
 float expOf(float x) {
   precise float n = floor(x * 1.44269504 + 0.5);
   precise float r = (x - n * 0.693359375) + n * 2.12194440e-4;
-  // Estrin's order, so that few products wait for each other.
+  // Estrin's scheme, for short chains of dependent products.
   precise float r2 = r * r;
   precise float low = r * 0.5 + 1.0;
   precise float middle = (r * (1.0 / 24.0) + 1.0 / 6.0);

@@ -1,9 +1,9 @@
-// The gaussian where its weights can be made by products: exp(alpha (x - k)^2) is exp(alpha x^2) times
-// exp(-2 alpha x)^k times exp(alpha k^2), which stands in params.filterTable[k]. params.filterShape as in
+// The Gaussian of small radius, whose weights are products: exp(alpha (x - k)^2) = exp(alpha x^2) exp(-2
+// alpha x)^k exp(alpha k^2), of which the last factor is params.filterTable[k]. params.filterShape is as in
 // filter/gaussian.glsl.
 #include "filter/exp.glsl"
 
-// A function, as in filter/away.glsl.
+// A function for the reason given in filter/away.glsl.
 float preciseProduct(float a, float b) {
   precise float product = a * b;
   return product;
@@ -24,6 +24,6 @@ void filterWeights(float x, out float w[REACH]) {
     w[APRON + k] = preciseProduct(right, centre);
     w[APRON - k] = preciseProduct(left, centre);
   }
-  // Beyond the radius a weight is below zero, as all are of a sample that is DROPPED.
+  // Beyond the radius the difference is negative, and so it is for a DROPPED sample.
   [[unroll]] for (uint k = 0u; k < REACH; ++k) w[k] = max(w[k] - params.filterShape.y, 0.0);
 }

@@ -1,5 +1,5 @@
-// Mitchell and Netravali 1988; the outer piece is written around its double root at 2. Precise, as
-// all weights are, so that every kernel sums to the same bits. params.filterShape: B, C.
+// Mitchell and Netravali 1988; the outer piece is factored at its double root 2. Precise, as all weights are,
+// so that every kernel sums to the same bits. params.filterShape: B, C.
 float filterAt(float x) {
   const float B = params.filterShape.x, C = params.filterShape.y;
   precise float s = abs(2.0 * x / params.filterRadius);

@@ -1,4 +1,4 @@
-// Any filter by Nori's table: 32 weights over the radius, and a last one of 0.
+// Any filter, by Nori's table: 32 weights over the radius, and a 33rd of 0.
 #include "filter/away.glsl"
 
 void filterWeights(float x, out float w[REACH]) {

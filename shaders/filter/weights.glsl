@@ -1,5 +1,5 @@
-// Weights of one sample, `x` pixels from its own pixel's centre on one axis, for the pixels at -APRON to
-// APRON. The kernel's filter defines filterAt(): its value at a distance from a pixel's centre, in pixels.
+// The weights of one sample, `x` pixels from the centre of its own pixel on one axis, for the pixels at
+// -APRON to APRON. The filter defines filterAt(), its value at a distance in pixels from a pixel's centre.
 #include "filter/away.glsl"
 
 void filterWeights(float x, out float w[REACH]) {

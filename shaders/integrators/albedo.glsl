@@ -1,4 +1,4 @@
-// The surface's albedo; 0 where nothing is hit.
+// The surface's albedo; black where nothing is hit.
 void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
   FOR_RAYS (uint r = 0u; r < R; ++r) {
     if (hits.slot[r] == NO_HIT) continue;

@@ -1,8 +1,8 @@
-// Ambient occlusion: 1 if a cosine-distributed direction around the shading normal leaves the scene,
-// else 0; 0 for a miss.
+// Ambient occlusion: 1 if the ray in a cosine-distributed direction around the shading normal leaves the
+// scene, else 0; 0 for a miss.
 #include "shared/direction.h"
 
-// Farther than any two points of the scene, which lies in [-1, 1]^3, are apart.
+// Longer than any segment in the scene, which lies in [-1, 1]^3.
 const float SCENE_REACH = 4.0;
 
 void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {

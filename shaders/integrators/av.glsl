@@ -1,4 +1,4 @@
-// Average visibility: 1 if nothing lies within `length` in a direction uniform on the hemisphere of the
+// Average visibility: 1 if no surface lies within `length` along a direction uniform on the hemisphere of the
 // shading normal, else 0; 1 for a miss.
 #include "shared/direction.h"
 

@@ -1,4 +1,4 @@
-// One over the distance from the camera to the first hit, in scene units.
+// One over the distance from the camera to the nearest hit, in scene units.
 void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
   FOR_RAYS (uint r = 0u; r < R; ++r) {
     if (hits.slot[r] == NO_HIT) continue;

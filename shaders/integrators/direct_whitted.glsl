@@ -1,6 +1,6 @@
-// Direct light of point lights: the sum, over the lights that the hit sees, of their irradiance times
-// the BSDF; where nothing is hit, the background. In scenes with many lights it is called once for
-// every few of them (pass.firstLight, lightCount).
+// Direct light of point lights: the sum, over the unoccluded lights, of irradiance times BSDF; the background
+// where nothing is hit. In scenes with many lights it is called once for every few of them (pass.firstLight,
+// pass.lightCount).
 void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
   if (HAS_BACKGROUND && pass.firstDispatch != 0u) {
     FOR_RAYS (uint r = 0u; r < R; ++r)

@@ -1,9 +1,9 @@
-// Hashes of pixels and samples; they read parameters only.
+// Hashes of pixels and samples; of the bindings they read only `params`.
 #include "resources.glsl"
 
-// Jarzynski and Olano's pcg3d ("Hash Functions for GPU Rendering", JCGT 9(3), 2020). Its low bits,
-// which scramble() hands to the first digits, show the neighbours of a pixel; the last step hides
-// them behind the high ones.
+// Jarzynski and Olano's pcg3d ("Hash Functions for GPU Rendering", JCGT 9(3), 2020). Its low bits, on which
+// scramble() bases the leading digits, are correlated between neighbouring pixels; the last step mixes the
+// high bits into them.
 uvec3 hashOf(uvec3 v) {
   v = v * 1664525u + 1013904223u;
   v.x += v.y * v.z;
@@ -16,14 +16,15 @@ uvec3 hashOf(uvec3 v) {
   return v ^ v >> 16u;
 }
 
-// Independent pairs, other ones in each dimension.
+// Pairs that are independent between pixels, samples and dimensions.
 uvec2 hashedPair(uvec2 pixel, uint number, uint dimension) {
   const uvec3 hash = hashOf(uvec3(pixel, params.seedHash ^ dimension * 0x9e3779b9u));
   return hashOf(uvec3(hash.xy, number)).xy;
 }
 
-// The middle of the cell that holds a fraction, of a grid so fine that pixel + jitter is exact: no
-// sample is moved out of its pixel or stratum, and no two pixels' filters count one on their border.
+// Rounds a fraction to the middle of its cell of a grid, coarse enough that pixel + jitter is exact in float.
+// No sample leaves its pixel or stratum by rounding, and none lies on a border, where two pixels' filters
+// would count it.
 uvec2 cellMiddle(uvec2 fraction) {
   const uint middle = params.halfStep;
   return fraction & -(middle << 1) | middle;

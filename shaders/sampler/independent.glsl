@@ -1,5 +1,5 @@
 // Nori's `independent` sampler: one PCG32 stream (O'Neill, "PCG: A Family of ... Generators",
-// HMC-CS-2014-0905) for each 32 x 32 block of the film, entered anywhere by tables of jumps.
+// HMC-CS-2014-0905) per 32 x 32 block of the film. Tables of jumps enter a stream at any place.
 #include "sampler/hash.glsl"
 
 // 64-bit numbers are (low, high).
@@ -29,7 +29,7 @@ uvec2 jump(uvec2 state, uvec2 inc, uint entry) {
   return add64(mul64(t.xy, state), mul64(t.zw, inc));
 }
 
-// Numbers 2 `pair` and 2 `pair` + 1 of the four that Nori draws for a sample.
+// Numbers 2 `pair` and 2 `pair` + 1 of the four that Nori draws per sample.
 uvec2 streamPair(uvec2 pixel, uint number, uint pair) {
   const uvec2 block = pixel & ~31u;
   const uvec2 inside = pixel & 31u;
@@ -37,7 +37,7 @@ uvec2 streamPair(uvec2 pixel, uint number, uint pair) {
   const uvec2 first = add64(params.seed, uvec2(block.x, 0u));
   const uvec2 sequence = add64(params.seed, uvec2(block.y, 0u));
   const uvec2 inc = uvec2(sequence.x << 1 | 1u, sequence.y << 1 | sequence.x >> 31);
-  // Seeding ends one step beyond inc + first; the first table jumps that step too.
+  // Seeding leaves the state one step beyond inc + first; the jumps of the first table include that step.
   uvec2 state = jump(add64(inc, first), inc, inside.y * blockWidth + inside.x);
   if (JUMP_LEVELS == 2u) {
     state = jump(state, inc, params.samplerArguments.x + number);
@@ -51,7 +51,7 @@ uvec2 streamPair(uvec2 pixel, uint number, uint pair) {
   return uvec2(pcgOutput(state), y);
 }
 
-// Nori's order of further numbers depends on what a path meets; here they are hashed.
+// Nori draws further numbers in an order that depends on the path's hits; here they are hashed.
 uvec2 pairBits(uvec2 pixel, uint number, uint dimension) {
   return dimension < 2u ? streamPair(pixel, number, dimension)
                         : hashedPair(pixel, number, dimension);

@@ -1,10 +1,11 @@
-// The sampler `sobol`: a (0,2)-sequence, scrambled by pixel; further dimensions are padded by pairs.
+// The sampler `sobol`: a (0,2)-sequence, scrambled per pixel; further dimensions are padded with shuffled
+// copies of the pair.
 #include "sampler/hash.glsl"
 
-// Nested uniform scrambling (Owen 1995) of a fraction whose bits stand in reverse: every bit is
-// flipped or not by the seed and the bits below it. Laine and Karras' form (2011; Burley, JCGT
-// 9(4), 2020) with Vegdahl's constants ("Building a Better LK Hash", 2021), which keep two samples
-// as independent as exact scrambling does; with the constants of 2020 their bits hang together.
+// Nested uniform scrambling (Owen 1995) of a fraction in reversed bit order: the seed and the lower bits
+// decide whether each bit is flipped. Laine and Karras' form (2011; Burley, JCGT 9(4), 2020) with Vegdahl's
+// constants ("Building a Better LK Hash", 2021), which make two samples as independent as exact scrambling
+// does; the constants of 2020 leave correlations.
 uint scramble(uint x, uint seed) {
   x ^= x * 0x3d20adeau;
   x += seed;
@@ -14,8 +15,8 @@ uint scramble(uint x, uint seed) {
   return x;
 }
 
-// Second coordinate of Sobol's sequence (1967), bits in reverse. Bit i is the parity of the bits j
-// of the number where C(j, i) is odd, which is where j has all bits of i (Lucas).
+// Second coordinate of Sobol's sequence (1967), bits reversed. Bit i is the parity of those bits j of the
+// number for which C(j, i) is odd, that is, j has all bits of i (Lucas).
 uint sobolSecond(uint number) {
   number ^= number >> 1 & 0x55555555u;
   number ^= number >> 2 & 0x33333333u;
@@ -24,14 +25,14 @@ uint sobolSecond(uint number) {
   return number ^ number >> 16;
 }
 
-// Any 2^k numbers from a multiple of 2^k on lie one in each rectangle of 2^-i by 2^(i-k). The first
-// coordinate of the sequence, bits in reverse, is the number itself.
+// Of any 2^k consecutive numbers that start at a multiple of 2^k, one lies in each rectangle of 2^-i by
+// 2^(i-k). The first coordinate of the sequence, bits reversed, is the number itself.
 uvec2 sobolFraction(uvec3 hash, uint number) {
   return bitfieldReverse(uvec2(scramble(number, hash.x), scramble(sobolSecond(number), hash.y)));
 }
 
-// Dimensions after the first take the sequence in an order of their own, shuffled as scramble() does
-// (Burley 2020, section 5), so that 2^k samples from a multiple of 2^k on have the same strata there.
+// Each dimension after the first takes the sequence in its own order, a nested uniform shuffle (Burley 2020,
+// section 5): 2^k samples that start at a multiple of 2^k stay stratified.
 uvec2 pairBits(uvec2 pixel, uint number, uint dimension) {
   if (dimension == 0u) {
     const uvec3 hash = hashOf(uvec3(pixel, params.seedHash));

@@ -7,7 +7,7 @@ uvec2 highProduct(uvec2 a, uvec2 b) {
   return high;
 }
 
-// A pixel begins with a stratum of its own, so that an early end leaves no picture of one edge of the
+// Each pixel starts at a random stratum, so that a render that ends early does not favour one edge of the
 // pixels.
 uvec2 stratifiedFraction(uvec3 hash, uint number) {
   const uint count = params.sampleCount, rows = params.samplerArguments.x;
@@ -15,7 +15,7 @@ uvec2 stratifiedFraction(uvec3 hash, uint number) {
   const uvec2 first = highProduct(uvec2(hash.z), uvec2(count));
   const uint left = count - first.x;
   const uint stratum = number < left ? first.x + number : number - left;
-  // stratum / rows by the reciprocal, which is too small by 1 at most.
+  // stratum / rows by the reciprocal, which may be too small by 1.
   uint column = highProduct(uvec2(stratum), size).y;
   const uint over = stratum - column * rows >= rows ? 1u : 0u;
   column += over;
@@ -24,7 +24,7 @@ uvec2 stratifiedFraction(uvec3 hash, uint number) {
   return place * size + mix(highProduct(random, size), random, equal(size, uvec2(0u)));
 }
 
-// Dimensions after the first are random.
+// Dimensions after the first are hashed.
 uvec2 pairBits(uvec2 pixel, uint number, uint dimension) {
   if (dimension == 0u) {
     const uvec3 hash = hashOf(uvec3(pixel, params.seedHash));

@@ -1,5 +1,6 @@
-// Ray/box test that never misses what the triangle test accepts: slabs (Kay and Kajiya 1986) of
-// boxes that the host has grown by an ulp, with the origin moved sideways by a pad.
+// Conservative ray/box test: it accepts every box whose contents the triangle test can accept. The
+// slab method (Kay and Kajiya 1986), with boxes that the host has grown by an ulp and an origin
+// that is moved sideways by a pad.
 #ifndef LAVER_SHARED_BOX_H
 #define LAVER_SHARED_BOX_H
 #include "shared/triangle.h"
@@ -8,11 +9,11 @@ LAVER_SHARED_BEGIN
 
 struct BoxRay {
   vec3 low, high;   // origin moved by the pad against each side of a box
-  vec3 reciprocal;  // depth gained for each unit along the three axes
+  vec3 reciprocal;  // depth gained per unit along each of the three axes
   uint axis;
 };
 
-// |d[k]| / d[a] without infinities: a slope below 2^-100 moves no ray by a visible amount.
+// d[k]| / d[a], but never infinite. A slope below 2^-100 does not move a ray visibly.
 LAVER_FN float depthPerUnit(float d, float scale) {
   const float huge = 1.2676506e30f;  // 2^100
   const float q = abs(d) * huge > scale ? scale / d : huge;
@@ -29,7 +30,8 @@ LAVER_FN float padOf(vec3 origin) {
   return 9.5367432e-7f * (greater(abs(origin.x), greater(abs(origin.y), abs(origin.z))) + 1.0f);
 }
 
-// Rounding of a difference along k, two ulp: what ends at the light's own depth is not left out.
+// Relative slack for the rounding of a difference along k, two ulp, so that a segment reaches
+// geometry at exactly the depth of its end.
 LAVER_CONST float DEPTH_SLACK = 1.0f + 2.4e-7f;
 
 LAVER_FN BoxRay boxRayOf(vec3 origin, vec3 direction, uint axis) {

@@ -1,4 +1,4 @@
-// Bindings and intersection methods that exist for the chart alone.
+// Bindings and intersection methods that only `laver chart` uses.
 #ifndef LAVER_SHARED_CHARTED_H
 #define LAVER_SHARED_CHARTED_H
 #include "shared/types.h"
@@ -14,12 +14,12 @@ LAVER_CONST uint CHARTED_IDS = 4;        // S uint: id or NO_HIT
 LAVER_CONST uint TRIANGLES_MOELLER = 0;  // Moeller and Trumbore 1997
 LAVER_CONST uint TRIANGLES_PLAIN = 1;    // Woop, Benthin and Wald 2013, plain products
 LAVER_CONST uint TRIANGLES_KAHAN = 2;    // the same with Kahan's difference of products
-LAVER_CONST uint TRIANGLES_OURS = 3;     // that, and the point recomputed from the plane (point.h)
+LAVER_CONST uint TRIANGLES_OURS =
+    3;  // as KAHAN, with the point recomputed from the plane (point.h)
 
-LAVER_CONST uint BOXES_PLAIN = 0;  // slabs, Kay and Kajiya 1986
-LAVER_CONST uint BOXES_ROBUST =
-    1;  // Ize, "Robust BVH Ray Traversal", 2013: far ends grown by 2 gamma(3)
-LAVER_CONST uint BOXES_OURS = 2;  // box.h
+LAVER_CONST uint BOXES_PLAIN = 0;   // slabs, Kay and Kajiya 1986
+LAVER_CONST uint BOXES_ROBUST = 1;  // Ize, "Robust BVH Ray Traversal", 2013
+LAVER_CONST uint BOXES_OURS = 2;    // box.h
 
 LAVER_SHARED_END
 

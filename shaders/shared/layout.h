@@ -6,21 +6,21 @@
 LAVER_SHARED_BEGIN
 
 // Bindings of descriptor set 0. T: texel buffer of uvec4, S: storage buffer, U: uniform buffer.
-LAVER_CONST uint BIND_PARAMS = 0;      // U Params
-LAVER_CONST uint BIND_NODES = 1;       // T Node
-LAVER_CONST uint BIND_TRIANGLES = 2;   // T Triangle
-LAVER_CONST uint BIND_ATTRIBUTES = 3;  // T Attributes, or their smaller form, one per triangle
-LAVER_CONST uint BIND_NORMALS = 4;     // T vec4, one per vertex normal
-LAVER_CONST uint BIND_MATERIALS = 5;   // T Material, one per mesh
-LAVER_CONST uint BIND_LIGHTS = 6;      // T Light
-LAVER_CONST uint BIND_JUMPS = 7;       // T Jump
-LAVER_CONST uint BIND_SAMPLES = 8;     // S vec4, one per sample: r, g, b, x in its pixel or DROPPED
-LAVER_CONST uint BIND_SAMPLES_Y = 9;   // S float, one per sample: y in its pixel
-LAVER_CONST uint BIND_FILM = 10;       // S FilmPixel
-LAVER_CONST uint BIND_STATUS = 11;     // S Status
-LAVER_CONST uint BIND_SAMPLE_TEXELS = 12;    // T of vec4: the samples, for reading
-LAVER_CONST uint BIND_SAMPLE_Y_TEXELS = 13;  // T of vec4: y of four samples
-LAVER_CONST uint BIND_COUNTS = 14;    // T Count, of the cells of the region; adaptive sampling only
+LAVER_CONST uint BIND_PARAMS = 0;          // U Params
+LAVER_CONST uint BIND_NODES = 1;           // T Node
+LAVER_CONST uint BIND_TRIANGLES = 2;       // T Triangle
+LAVER_CONST uint BIND_ATTRIBUTES = 3;      // T Attributes, or their smaller form, one per triangle
+LAVER_CONST uint BIND_NORMALS = 4;         // T vec4, one per vertex normal
+LAVER_CONST uint BIND_MATERIALS = 5;       // T Material, one per mesh
+LAVER_CONST uint BIND_LIGHTS = 6;          // T Light
+LAVER_CONST uint BIND_JUMPS = 7;           // T Jump
+LAVER_CONST uint BIND_SAMPLES = 8;         // S vec4, one per sample: r, g, b, x in the pixel
+LAVER_CONST uint BIND_SAMPLES_Y = 9;       // S float, one per sample: y inside its pixel
+LAVER_CONST uint BIND_FILM = 10;           // S FilmPixel
+LAVER_CONST uint BIND_STATUS = 11;         // S Status
+LAVER_CONST uint BIND_SAMPLE_TEXELS = 12;  // T of vec4: BIND_SAMPLES, for reading
+LAVER_CONST uint BIND_SAMPLE_Y_TEXELS = 13;  // T of vec4: BIND_SAMPLES_Y, for reading
+LAVER_CONST uint BIND_COUNTS = 14;    // T Count, one per cell of the region; adaptive sampling only
 LAVER_CONST uint BIND_WORK = 15;      // T Work; adaptive sampling only
 LAVER_CONST uint BIND_TEXTURES = 16;  // T Texture, one per material
 LAVER_CONST uint BIND_UVS = 17;       // T of uvec2: u, v of each corner of textured triangles
@@ -33,17 +33,19 @@ LAVER_CONST uint LIGHTS_PER_DISPATCH = 8;
 
 LAVER_CONST uint GATHER_GROUP = 64;  // columns
 LAVER_CONST uint SLOT_COLUMNS = 8;   // pixels of a row whose samples are stored together
-// Samples of a pixel that are summed plainly before a compensated sum takes them: a pass holds a
-// multiple of them, so that cutting a render into passes changes no bit.
+// Samples of a pixel that are added without compensation before their sum enters the compensated
+// sum. A pass holds a multiple of them, so that splitting a render into passes does not change a
+// bit.
 LAVER_CONST uint GATHER_SAMPLES = 8;
-// Where the position of a sample that is left out stands: no filter reaches it.
+// The x of a sample that is left out of the image: no filter reaches it.
 LAVER_CONST float DROPPED = 1e6f;
 
-// Loop iterations that the host gives one invocation to do; lavapipe cuts loops short at 65,535.
+// Upper bound of the loop iterations that the host gives to an invocation; lavapipe ends loops
+// after 65,535.
 LAVER_CONST uint MAX_ITERATIONS = 60000;
 
-// A child reference: REF_NONE, a node's index, or of a leaf
-// REF_LEAF | (triangles - 1) << REF_COUNT_SHIFT | first slot.
+// A child reference is REF_NONE, the index of a node, or for a leaf REF_LEAF | (triangles - 1) <<
+// REF_COUNT_SHIFT | first slot.
 LAVER_CONST uint REF_NONE = 0xffffffffu;
 LAVER_CONST uint REF_LEAF = 0x80000000u;
 LAVER_CONST uint REF_COUNT_SHIFT = 28;
@@ -53,7 +55,7 @@ LAVER_CONST uint MAX_LEAF = 8;  // triangles
 
 LAVER_CONST uint NO_HIT = 0xffffffffu;
 
-// One child of a node: its box, already padded, and what it refers to. 2 texels.
+// One child of a node: its padded box and its reference. 2 texels.
 struct Child {
   vec3 lo;
   uint ref;
@@ -61,8 +63,8 @@ struct Child {
   uint count;  // primitives of a leaf, 0 for a node
 };
 
-// Slot i holds the child that a ray with octant o (bit a set where d[a] < 0) should visit at
-// turn i ^ o. 16 texels.
+// A ray of octant o (bit a is set where d[a] < 0) visits child i ^ o in step i, so that it meets
+// the children roughly front to back. 16 texels.
 #ifdef __cplusplus
 struct Node {
   Child child[NODE_WIDTH];
@@ -70,47 +72,48 @@ struct Node {
 #endif
 
 // A triangle in the order of the leaves. Its corners are sorted, so that copies of one triangle are
-// met at the same depth to the bit, however their files list them. 3 texels.
-// Or a sphere, for which `flipped` is IS_SPHERE: `a` is its centre, b.x its radius.
+// hit at the same depth to the bit, in whatever order their files list the corners. 3 texels. Or a
+// sphere, for which `flipped` is IS_SPHERE: `a` is its centre, b.x its radius.
 LAVER_CONST uint IS_SPHERE = 2;
 struct Triangle {
   vec3 a;
   uint id;  // its number in file order over all meshes
   vec3 b;
-  uint more;  // triangles of the leaf that follow
+  uint more;  // number of triangles that follow in the leaf
   vec3 c;
-  uint flipped;  // 1 if sorting turned the winding
+  uint flipped;  // 1 if sorting reversed the winding
 };
 
-// Normal indices are NO_NORMAL for a mesh without vertex normals; no vertex has that one. 1 texel
-// of four numbers, or of one, the material, where no kernel of the scene reads normals.
+// Vertex attributes of a triangle. Normal indices are NO_NORMAL for a mesh without vertex normals;
+// entry 0 of the normals is unused. 1 texel of four numbers, or of the material alone where no
+// kernel of the scene reads normals.
 LAVER_CONST uint NO_NORMAL = 0;
 struct Attributes {
-  uint material;  // first: there in both forms
+  uint material;  // first, since both forms have it
   uint normalA, normalB, normalC;
 };
 
-// What a mesh is made of. 2 texels.
+// The material of a mesh. 2 texels.
 struct Material {
   vec3 albedo;
-  uint bsdf;     // which of the BSDFs of the kernel's key
+  uint bsdf;     // index among the BSDFs of the kernel's key
   vec4 numbers;  // the BSDF's float properties
 };
 
-// Pixels from `first` on, rows from the top. Those of bytes stand for the floats that `table` has
-// for each of 256 values; NO_TABLE: the pixels are floats.
+// An image: pixels from texel `first` on, rows from the top. Bytes are looked up in a table of 256
+// floats that begins at texel `table`; with NO_TABLE the pixels are floats.
 LAVER_CONST uint NO_TABLE = 0xffffffffu;
 struct ImageRef {
   uint first, width, height, table;
 };
 
-// What a material shows at (s, t) = uv * scale + offset. 4 texels.
-LAVER_CONST uint TEXTURE_NONE = 0;  // color1; else 1 + which of the textures of the kernel's key
+// The texture of a material, evaluated at (s, t) = uv * scale + offset. 4 texels.
+LAVER_CONST uint TEXTURE_NONE = 0;  // color1; else 1 + index among the textures of the kernel's key
 struct Texture {
   vec3 color1;
   uint kind;
   vec3 color2;
-  uint uvs;  // triangle `id` has the texels 3 * (id + uvs) to + 2, for its corners as stored
+  uint uvs;  // texels 3 * (id + uvs) + 0 to 2 hold the uv of the stored corners of triangle `id`
   vec2 scale;
   vec2 offset;
   ImageRef image;
@@ -129,24 +132,25 @@ struct Jump {
   uvec2 increments;
 };
 
-// Adaptive sampling decides by cells of CELL x CELL pixels of the film, in steps of CELL_STEP
-// samples a pixel: 64 samples, a workgroup of tracing. One sample a pixel is for blocks of 2 x 2
-// cells, 64 samples too.
+// Adaptive sampling chooses one sample count per cell of CELL x CELL pixels of the film, in steps
+// of CELL_STEP samples per pixel: 64 samples, a workgroup of the trace kernel. Blocks of 2 x 2
+// cells can have one sample per pixel, which is 64 samples, too.
 LAVER_CONST uint CELL = 4;
 LAVER_CONST uint CELL_STEP = 4;
-// It gathers by strips of columns and rows.
+// Adaptive sampling gathers by strips of STRIP_COLUMNS x STRIP_ROWS pixels.
 LAVER_CONST uint STRIP_COLUMNS = 8;
 LAVER_CONST uint STRIP_ROWS = 16;
 
-// Samples a pixel of a cell. 1 texel.
+// Samples per pixel of a cell. 1 texel.
 struct Count {
   uint samples;
   uint pad0, pad1, pad2;
 };
 
-// What a workgroup does. Tracing: tile's corner in pixels of the region (modulo 2^32, since cells
-// begin outside of it), first sample of the pass. Gathering, GATHER_GROUP / STRIP_COLUMNS of
-// them: which strip of the core, in strips, samples of the pass. 1 texel.
+// The work of one workgroup. Trace: (x, y) is the corner of its tile in pixels of the region
+// (modulo 2^32, since cells may begin outside of it), `number` its first sample in the pass.
+// Gather, with GATHER_GROUP / STRIP_COLUMNS of these per workgroup: (x, y) is the strip of the
+// core, counted in strips, `number` the samples of the pass. 1 texel.
 struct Work {
   uint x, y;
   uint number;
@@ -156,15 +160,15 @@ struct Work {
 // std140: rows of 16 bytes.
 struct Params {
   vec3 origin;         // of the camera, normalised space
-  float packetWindow;  // how far the slopes of rays that walk together may differ
+  float packetWindow;  // greatest difference between the slopes of rays in one walk
   vec3 columnX;  // ray direction = columnX * (width - 2 px) + columnY * (height - 2 py) + columnZ
   float tmin;
   vec3 columnY;
   float tmax;
   vec3 columnZ;
   float sceneUnits;    // scene units per unit of normalised space
-  vec3 albedo;         // of all meshes, where they agree
-  uint root;           // reference of the root
+  vec3 albedo;         // of all meshes, if they have the same
+  uint root;           // child reference of the root
   uvec2 filmSize;      // width, height
   uint sampleCount;    // per pixel
   uint halfStep;       // half a step of the sample grid, in 2^-32 pixels
@@ -174,12 +178,12 @@ struct Params {
   // independent: first texel of the tables by sample (low, high part), samples of the low part;
   // stratified: strata along y, size of a stratum along x and y in 2^-32 pixels
   uvec4 samplerArguments;
-  vec4 properties;   // of the integrator, in the order of its row; lengths in normalised space
-  vec2 filterShape;  // as the filter's text explains
+  vec4 properties;  // of the integrator, in the order of its table row; lengths in normalised space
+  vec2 filterShape;  // meaning: see filter/NAME.glsl
   vec2 pad;
   vec4
       filterTable[9];  // filter/table.glsl: 33 entries; filter/gaussian_narrow.glsl: exp(alpha k^2)
-  vec3 backgroundX;    // rows of the matrix from the world to the background image's space
+  vec3 backgroundX;    // rows of the rotation from world space to the background image's space
   float pad0;
   vec3 backgroundY;
   float pad1;
@@ -190,29 +194,31 @@ struct Params {
   ImageRef backgroundImage;
 };
 
-// Push constants of both kernels. Booleans are 0 or 1.
+// Push constants of the trace and gather kernels. Booleans are 0 or 1.
 struct Pass {
-  uvec4 region;  // x, y, width, height in film pixels: what is traced, apron included
-  uvec4 core;    // x, y, width, height in film pixels: what is reconstructed
-  uvec4 part;  // first x and y, end of x and y: what of the region is traced, of the core gathered
+  uvec4 region;  // x, y, width, height in film pixels: traced, apron included
+  uvec4 core;    // x, y, width, height in film pixels: reconstructed
+  // First x and y, end of x and y: the part of the region that this dispatch traces, or the part of
+  // the core that it gathers.
+  uvec4 part;
   uint firstSample;
-  uint sampleCount;     // of a pixel in this pass
-  uint sideShift;       // trace: log2 of a pixel's samples that a workgroup traces side by side
-  uint dispatchSample;  // trace: first sample of the dispatch, in the pass
+  uint sampleCount;     // per pixel in this pass
+  uint sideShift;       // trace: log2 of the samples per pixel that a workgroup traces side by side
+  uint dispatchSample;  // trace: first sample of the dispatch, counted from firstSample
   uint tileRows;        // trace: rows of tiles
-  uint rowStride;       // trace: stride that permutes them
+  uint rowStride;       // trace: stride that permutes the rows of tiles
   uint stripRows;       // gather: rows of pixels per invocation
   uint firstWork;       // adaptive: the first Work of the dispatch
   uint firstLight;
   uint lightCount;
-  uint firstDispatch;  // of the pass, where its lights take several
+  uint firstDispatch;  // 1 for the first dispatch of the pass, if its lights take several
   uint lastDispatch;
 };
 
-// Compensated sums: value = sum + rest. rgb weighted radiance, a weight. From film/centres.glsl:
-// sum = position in normalised space, distance in scene units, 0 for no hit; rest = weights of the
-// second and third corner as stored, or a sphere's u and v; number of the triangle as its low and
-// its high 16 bits, which floats hold exactly.
+// Compensated sums: value = sum + rest; rgb is weighted radiance, a the weight. With
+// film/centres.glsl instead: sum = position in normalised space, distance in scene units or 0 for
+// no hit; rest = weights of the second and third corner as stored, or a sphere's u and v, then the
+// low and the high 16 bits of the triangle's id, which floats hold exactly.
 struct FilmPixel {
   vec4 sum;
   vec4 rest;

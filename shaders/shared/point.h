@@ -1,5 +1,5 @@
-// The point that a ray has met, recomputed once from the winner's corners: the same text for the
-// kernels and, as C++, for the tests.
+// The hit point of a ray, recomputed once from the corners of the triangle that was hit. The
+// kernels and the C++ tests compile this same text.
 #ifndef LAVER_SHARED_POINT_H
 #define LAVER_SHARED_POINT_H
 #include "shared/triangle.h"
@@ -7,20 +7,20 @@
 LAVER_SHARED_BEGIN
 
 struct Point {
-  vec3 position;   // by barycentrics: on the triangle to rounding, however far the camera
-  vec3 geometric;  // unit normal by the winding
-  float t;         // along the ray, by the plane
-  float offset;    // how far along the geometric normal a shadow ray ends beside the surface
+  vec3 position;   // by barycentrics: on the triangle up to rounding, however far the camera is
+  vec3 geometric;  // unit normal, oriented by the winding
+  float t;         // ray parameter, from the plane equation
+  float offset;    // distance along the geometric normal by which a ray's origin is offset
   vec3 weights;    // of the corners
 };
 
 // The upper 12 bits of a float's 24; the rest, x - upperHalf(x), has 12 bits too.
 LAVER_FN float upperHalf(float x) { return uintBitsToFloat(floatBitsToUint(x) & 0xfffff000u); }
 
-// a * b - c * d within an ulp or two of itself and 2^-35 of the products, on any device, where
-// differenceOfProducts() needs a fused fma(): products of halves (Dekker, "A Floating-Point
-// Technique for Extending the Available Precision", 1971) are exact, so that contraction changes no
-// bit, and the large ones cancel exactly.
+// a * b - c * d with an error of at most two ulp of the result plus 2^-35 of the products, on any
+// device; differenceOfProducts() is as good only with a fused fma(). Products of halves (Dekker, "A
+// Floating-Point Technique for Extending the Available Precision", 1971) are exact, so contraction
+// does not change a bit, and the large ones cancel exactly.
 LAVER_FN float accurateDifference(float a, float b, float c, float d) {
   const float ah = upperHalf(a), bh = upperHalf(b), ch = upperHalf(c), dh = upperHalf(d);
   LAVER_PRECISE float al = a - ah;
@@ -32,7 +32,8 @@ LAVER_FN float accurateDifference(float a, float b, float c, float d) {
   return result;
 }
 
-// The plane's normal decides t: of a sliver of aspect 1e4 plain products put t off by 160 ulp.
+// a x b. The plane's normal decides t: for a sliver of aspect ratio 1e4, plain products put t off
+// by 160 ulp.
 LAVER_FN vec3 accurateCross(vec3 a, vec3 b) {
   return vec3(accurateDifference(a.y, b.z, a.z, b.y), accurateDifference(a.z, b.x, a.x, b.z),
               accurateDifference(a.x, b.y, a.y, b.x));
@@ -64,8 +65,8 @@ LAVER_FN Point pointAt(vec3 origin, vec3 direction, vec3 a, vec3 b, vec3 c, bool
   const vec3 n = accurateCross(b - a, c - a) * (flipped ? -1.0f : 1.0f);
   p.geometric = unitOr(n, unitOr(-direction, vec3(0.0f, 0.0f, 1.0f)));
 
-  // Plane distance; the edge functions' where the plane is seen edge-on, and always between the
-  // corners.
+  // Distance to the plane, or the edge functions' depth where the plane is seen edge-on; either is
+  // clamped to the depths of the corners.
   const float across = dotProduct(n, direction);
   const float scale = abs(alongAxis(direction, shear.axis));
   const float nearest = min(pa.z, min(pb.z, pc.z)), farthest = max(pa.z, max(pb.z, pc.z));
@@ -73,9 +74,9 @@ LAVER_FN Point pointAt(vec3 origin, vec3 direction, vec3 a, vec3 b, vec3 c, bool
       across != 0.0f ? dotProduct(n, a - origin) / across * scale : depthOf(e, pa.z, pb.z, pc.z);
   p.t = max(nearest, min(depth, farthest)) / scale;
 
-  // 8 * 2^-24 * (|n| . max |corner|), 8 ulp at most. With e = 2^-24, `position` is off its plane by
-  // e |position| and 3 e of its distance from a, on each axis; what is left is for the dot products
-  // of the plane-side test.
+  // 8 * 2^-24 * (|n| . max |corner|), at most 8 ulp. With e = 2^-24, `position` is off its plane by
+  // e |position| and 3 e of its distance from a, on each axis; the rest covers the dot products of
+  // the plane-side test.
   const vec3 largest =
       vec3(largestOf(a.x, b.x, c.x), largestOf(a.y, b.y, c.y), largestOf(a.z, b.z, c.z));
   const vec3 tilt = vec3(abs(p.geometric.x), abs(p.geometric.y), abs(p.geometric.z));
@@ -83,10 +84,10 @@ LAVER_FN Point pointAt(vec3 origin, vec3 direction, vec3 a, vec3 b, vec3 c, bool
   return p;
 }
 
-// The shading normal at `p` of three vertex normals, by the order of its corners.
+// The shading normal at `p`, interpolated from the vertex normals of its corners.
 LAVER_FN vec3 shadingNormal(Point p, vec3 na, vec3 nb, vec3 nc) {
   LAVER_PRECISE vec3 m = na * p.weights.x + nb * p.weights.y + nc * p.weights.z;
-  // Below 2^-22 of unit normals' length the sum is rounding alone.
+  // A sum shorter than 2^-22 of unit normals' sum is only rounding error.
   return dotProduct(m, m) > 5.7e-14f ? unitOr(m, p.geometric) : p.geometric;
 }
 

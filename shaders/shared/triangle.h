@@ -1,15 +1,15 @@
-// Watertight ray/triangle test, after Woop, Benthin and Wald, "Watertight Ray/Triangle
-// Intersection", JCGT 2(1), 2013, with Kahan's difference of products (Jeannerod, Louvet and
-// Muller, "Further Analysis of Kahan's Algorithm ...", Math. Comp. 82, 2013: 1.5 ulp) in place of
-// plain ones, so that edge functions keep their sign on devices that fuse. Where fma is a product
-// and a sum, the correction is zero and both triangles of an edge still round alike.
+// Watertight ray/triangle test (Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection",
+// JCGT 2(1), 2013) with Kahan's difference of products (Jeannerod, Louvet and Muller, "Further
+// Analysis of Kahan's Algorithm ...", Math. Comp. 82, 2013: 1.5 ulp) instead of plain products, so
+// that edge functions keep their sign on devices with a fused fma. Where fma is a product and a
+// sum, the correction is zero, and both triangles of an edge still round alike.
 #ifndef LAVER_SHARED_TRIANGLE_H
 #define LAVER_SHARED_TRIANGLE_H
 #include "shared/types.h"
 
 LAVER_SHARED_BEGIN
 
-// min and max that are one instruction: b where a is NaN.
+// min and max that compile to one instruction; the result is b if a is NaN.
 LAVER_FN float lesser(float a, float b) {
   LAVER_PRECISE float result = a < b ? a : b;
   return result;
@@ -38,8 +38,9 @@ LAVER_FN float dotProduct(vec3 a, vec3 b) {
   return result;
 }
 
-// A direction as its dominant axis k (ties: x before y before z), the sign there, and the slopes
-// of the two other axes against it. "Depth" below is the distance along k, positive ahead.
+// A direction as its dominant axis k (ties: x before y before z), the sign along k, and the slopes
+// of the two other axes relative to k. "Depth" below is the distance along k, positive ahead of the
+// origin.
 struct Shear {
   uint axis;
   float sign;
@@ -69,7 +70,7 @@ LAVER_FN Shear shearOf(vec3 d) {
   return shear;
 }
 
-// Edge functions of the three corners, permuted and relative to the origin.
+// Edge functions for corners that are permuted and relative to the origin.
 struct Edges {
   float a, b, c;  // their signs agree inside; a / (a + b + c) is the weight of corner a
   float sum;
@@ -90,26 +91,26 @@ LAVER_FN Edges edgesOf(Shear shear, vec3 a, vec3 b, vec3 c) {
   LAVER_PRECISE float sum = e.a + e.b + e.c;
   e.sum = sum;
   // All of them >= 0 or all <= 0, and not all zero; false if one is NaN.
-  float least = lesser(e.a, lesser(e.b, e.c));
-  float most = greater(e.a, greater(e.b, e.c));
-  e.inside = (least >= 0.0f || most <= 0.0f) && abs(sum) > 0.0f;
+  float low = lesser(e.a, lesser(e.b, e.c));
+  float high = greater(e.a, greater(e.b, e.c));
+  e.inside = (low >= 0.0f || high <= 0.0f) && abs(sum) > 0.0f;
   return e;
 }
 
-// Depth of a hit, by the edge functions. It is a mean of the corners' depths and held between
-// them: then a box that starts behind a hit holds no nearer one, whatever rounding did, and
-// pruning by depth never changes which hit wins.
+// Depth of a hit, from the edge functions: a mean of the corners' depths, clamped between them. A
+// box that starts behind a hit therefore holds no nearer one, whatever rounding did, and pruning by
+// depth never changes which hit wins.
 LAVER_FN float depthOf(Edges e, float az, float bz, float cz) {
   LAVER_PRECISE float depth = (e.a * az + e.b * bz + e.c * cz) / e.sum;
   return greater(lesser(az, lesser(bz, cz)), lesser(depth, greater(az, greater(bz, cz))));
 }
 
-// Does a triangle block the view between a point and a light? Everything is permuted for the line
-// from the point to the light: corners relative to the point, `normal` of any length, and
-// `lightSide` = normal . (light - a). It does where the edge test passes on the line and the plane
-// has the two on either side; depths are only held within `last`, the light's own, as boxes are, so
-// that the answer is free of the tree. No hit distance is compared: its error would grow with the
-// light's distance.
+// Whether a triangle blocks the segment from a point to a light. Everything is permuted for the
+// line from the point to the light: corners relative to the point, `normal` of any length, and
+// `lightSide` = normal . (light - a). It blocks if the edge test passes on the line and the two
+// ends lie on different sides of the plane. Depths are only compared with `last`, the light's own,
+// as for boxes, so that the answer does not depend on the tree. No distance of a hit is compared:
+// its error would grow with the light's distance.
 LAVER_FN bool blocks(Shear shear, float last, vec3 normal, float lightSide, vec3 a, vec3 b,
                      vec3 c) {
   Edges e = edgesOf(shear, a, b, c);
@@ -119,10 +120,12 @@ LAVER_FN bool blocks(Shear shear, float last, vec3 normal, float lightSide, vec3
          greater(a.z, greater(b.z, c.z)) >= 0.0f;
 }
 
-// The same for the view from a point to point + way, `way` permuted: with no light, which side the
-// end is on counts from the point, so that a short way is as exact as a long one.
-LAVER_FN bool blocksWay(Shear shear, float last, vec3 way, vec3 normal, vec3 a, vec3 b, vec3 c) {
-  LAVER_PRECISE float endSide = dotProduct(normal, way) - dotProduct(normal, a);
+// The same for the segment from a point to point + direction, `direction` permuted. Without a
+// light, the side of the end is computed relative to the point, so that a short segment is as exact
+// as a long one.
+LAVER_FN bool blocksSegment(Shear shear, float last, vec3 direction, vec3 normal, vec3 a, vec3 b,
+                            vec3 c) {
+  LAVER_PRECISE float endSide = dotProduct(normal, direction) - dotProduct(normal, a);
   return blocks(shear, last, normal, endSide, a, b, c);
 }
 

@@ -19,7 +19,7 @@ using std::fma;
 using std::sqrt;
 inline uint floatBitsToUint(float x) { return std::bit_cast<uint>(x); }
 inline float uintBitsToFloat(uint x) { return std::bit_cast<float>(x); }
-#ifdef LAVER_NAN_PROPAGATES  // for tests: what GLSL leaves open
+#ifdef LAVER_NAN_PROPAGATES  // for tests: GLSL leaves the result for NaN open
 inline float min(float a, float b) { return a != a || b != b ? a + b : (b < a ? b : a); }
 inline float max(float a, float b) { return a != a || b != b ? a + b : (a < b ? b : a); }
 #else

@@ -1,8 +1,8 @@
-// Angles as shares of a whole turn.
+// Angles as fractions of a full turn.
 
-// The angle of (x, y) from +x towards +y, as a share of a whole turn, in [-1/2, 1/2]; 0 at (0, 0).
-// Within 4 ulp of 1/2: drivers' own may be off by 4096 ulp. The angle to the nearest multiple of an
-// eighth turn has a tangent of tan(pi/8) at most, on which the polynomial's minimax error is 2e-8.
+// The angle of (x, y) from +x towards +y as a fraction of a full turn, in [-1/2, 1/2]; 0 at (0, 0). Within 4
+// ulp of 1/2; a driver's own may be off by 4096 ulp. The angle to the nearest multiple of 1/8 turn has a
+// tangent of at most tan(pi/8), for which the polynomial's minimax error is 2e-8.
 float turnOf(float y, float x) {
   const bool steep = abs(y) > abs(x);
   const float large = steep ? abs(y) : abs(x);

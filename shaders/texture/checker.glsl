@@ -1,6 +1,6 @@
 // Two colours by the parity of the unit squares of (s, t).
 
-// 0 or 1: whether the largest whole number below x is odd.
+// 1 if floor(x) is odd, else 0.
 float oddness(float x) {
   const float whole = floor(x);
   return whole - 2.0 * floor(0.5 * whole);

@@ -1,8 +1,7 @@
 // Images: linear interpolation between the centres of pixels, in linear light.
 #include "resources.glsl"
 
-
-// x - floor(x), in [0, 1); 0 for what is not finite.
+// x - floor(x), in [0, 1); 0 if x is not finite.
 float unitPart(float x) {
   const float part = x - floor(x);
   return part >= 0.0 && part < 1.0 ? part : 0.0;
@@ -26,13 +25,14 @@ vec3 pixelOf(ImageRef image, uint x, uint y) {
   return color;
 }
 
-// The pixels on both sides of a place, counted in pixels from the first one's centre.
+// The pixels on both sides of a position on one axis.
 struct Neighbours {
   uint low, high;
   float weight;  // of the high one
 };
 
-// `place` in [-1/2, size]; `beyond` the border stands the other end, or the border.
+// `place` in [-1/2, size], in pixels from the first pixel's centre. Beyond the border the image either
+// repeats or continues its border pixel.
 Neighbours neighboursOf(float place, uint size, bool repeats) {
   const float below = floor(place);
   const uint next = uint(int(below) + 1);
@@ -43,12 +43,13 @@ Neighbours neighboursOf(float place, uint size, bool repeats) {
   return n;
 }
 
-// s, t in [0, 1]: from the left and the upper edge. It repeats in s, and in t if so told.
+// s and t in [0, 1], from the left and from the upper edge. The image always repeats in s, and in t if
+// `repeats`.
 vec3 imageAt(ImageRef image, float s, float t, bool repeats) {
   const Neighbours x = neighboursOf(s * float(image.width) - 0.5, image.width, true);
   const Neighbours y = neighboursOf(t * float(image.height) - 0.5, image.height, repeats);
   vec3 sum = vec3(0.0);
-  // Unrolled it looks up some 10 % faster and takes 45 ms more to compile.
+  // Not unrolled: an unrolled loop makes look-ups some 10 % faster but takes 45 ms more to compile.
   [[dont_unroll]] for (uint corner = 0u; corner < 4u; ++corner) {
     const bool right = (corner & 1u) != 0u, below = (corner & 2u) != 0u;
     const float weight =

@@ -1,4 +1,4 @@
-// Surfaces without textures: the albedo of the material, or the one of all meshes.
+// Surfaces without textures: the albedo of the material, or the one that all meshes share.
 #include "trace/surface.glsl"
 
 vec3 colourOf(Surface s) {

@@ -1,6 +1,6 @@
-// What a texture is given. A texture NAME of texture/NAME.glsl is one function:
+// The input of a texture. A texture NAME, in texture/NAME.glsl, is one function:
 //   vec3 NAMETexture(TextureRecord t, vec2 st)
-// The kernel's key chooses among those that the scene has (textureColour).
+// textureColour(), composed from the kernel's key, calls the right one.
 #include "texture/image.glsl"
 
 struct TextureRecord {

@@ -132,11 +132,11 @@ bool unoccludedLane(vec3 point, vec3 direction, bool toLight, vec3 light, bool i
         const float lightSide = dotProduct(n, permute(ray.shear, light) - a);
         bool between =
             toLight ? blocks(ray.shear, last, n, lightSide, t.pa, t.pb, t.pc)
-                    : blocksWay(ray.shear, last, permute(ray.shear, direction), n, t.pa, t.pb, t.pc);
+                    : blocksSegment(ray.shear, last, permute(ray.shear, direction), n, t.pa, t.pb, t.pc);
         if (HAS_SPHERES && t.sphere) {
           const vec3 end =
               toLight ? permute(ray.shear, light) - a : permute(ray.shear, direction) - t.pa;
-          between = ballBlocks(ray.shear, last, t.pa, end, t.ends, t.b.x);
+          between = sphereBlocks(ray.shear, last, t.pa, end, t.ends, t.b.x);
         }
         blocked = blocked || between;
         more = blocked ? 0u : t.more;

@@ -49,8 +49,8 @@ LeafTriangle loadLeaf(Frustum f, Frustum own, uint ref, out uint mine) {
                    greater(t.a.z, greater(t.b.z, t.c.z)));
   t.radius = HAS_SPHERES && c.w == IS_SPHERE ? uintBitsToFloat(b.x) : 0.0;
   if (HAS_SPHERES && t.radius > 0.0) {
-    low = t.a - t.radius * BALL_GROWTH;
-    high = t.a + t.radius * BALL_GROWTH;
+    low = t.a - t.radius * SPHERE_GROWTH;
+    high = t.a + t.radius * SPHERE_GROWTH;
   }
   mine = 0u;
   if (SHARES_TESTS) {

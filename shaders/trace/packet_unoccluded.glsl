@@ -31,7 +31,7 @@ bool hides(Blocker t, Shear shear, vec3 from, float last, vec3 light) {
       blocks(shear, last, t.normal, t.lightSide, t.a - from, t.b - from, t.c - from);
   if (HAS_SPHERES) {
     const bool bySphere =
-        ballBlocks(shear, last, t.a - from, light - t.a, endsOf(t.a.z, t.radius, from.z), t.radius);
+        sphereBlocks(shear, last, t.a - from, light - t.a, endsOf(t.a.z, t.radius, from.z), t.radius);
     blocked = t.radius > 0.0 ? bySphere : blocked;
   }
   return blocked;

@@ -11,7 +11,7 @@ vec2 uvOnSphere(vec3 n) {
 // With u and v for the weights of the second and third corner, as where triangles have no texture
 // coordinates.
 Point sphereHitAt(vec3 origin, vec3 direction, float tmin, vec3 centre, float radius) {
-  Point p = ballPointAt(origin, direction, tmin, centre, radius);
+  Point p = spherePointAt(origin, direction, tmin, centre, radius);
   p.weights = vec3(0.0, uvOnSphere(p.geometric));
   return p;
 }

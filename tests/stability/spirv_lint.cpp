@@ -28,8 +28,8 @@ const std::map<std::string, Precise> kPrecise = {
     {"endsOf", Precise::All},
     {"plus", Precise::All},  // sphere.h: two-sum is all rounding errors
     {"plusProduct", Precise::All},
-    {"ballPointAt", Precise::Some},     // sphere.h; Newton's steps may round as they like
-    {"blocksWay", Precise::All},        // triangle.h
+    {"spherePointAt", Precise::Some},   // sphere.h; Newton's steps may round as they like
+    {"blocksSegment", Precise::All},    // triangle.h
     {"cosSinOfTurn", Precise::Some},    // direction.h; not precise: which quarter turn is taken out
     {"sphereDirection", Precise::All},  // direction.h
     {"uniformDirection", Precise::All},  // direction.h

@@ -34,7 +34,7 @@ vec4 hitAt(vec3 origin, vec3 direction, float tmin, uint slot) {
   const uvec4 last = texelFetch(triangleTexels, texel + 2);
   Point p = pointAt(origin, direction, a, b, texelVec3(last), false);
   if (HAS_SPHERES) {
-    if (last.w == IS_SPHERE) p = ballPointAt(origin, direction, tmin, a, b.x);
+    if (last.w == IS_SPHERE) p = spherePointAt(origin, direction, tmin, a, b.x);
   }
   return vec4(p.t, p.weights.yz, uintBitsToFloat(first.w));
 }

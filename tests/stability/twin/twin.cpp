@@ -45,7 +45,7 @@ TestHit closestOne(const Bvh& bvh, const TestRay& r) {
   if (best == nullptr) return {r.tmax, 0.0F, 0.0F, NO_HIT};
   const Point p =
       best->flipped == IS_SPHERE
-          ? ballPointAt(r.origin, r.direction, r.tmin, best->a, best->b.x)
+          ? spherePointAt(r.origin, r.direction, r.tmin, best->a, best->b.x)
           : pointAt(r.origin, r.direction, best->a, best->b, best->c, best->flipped != 0);
   return {p.t, p.weights.y, p.weights.z, best->id};
 }
@@ -65,8 +65,8 @@ bool visibleOne(const Bvh& bvh, vec3 light, vec3 point) {
       [&](const Triangle& t) {
         if (t.flipped == IS_SPHERE) {
           const vec2 ends = endsOf(permute(shear, t.a).z, t.b.x, permute(shear, point).z);
-          return ballBlocks(shear, end, permute(shear, t.a - point),
-                            permute(shear, light) - permute(shear, t.a), ends, t.b.x);
+          return sphereBlocks(shear, end, permute(shear, t.a - point),
+                              permute(shear, light) - permute(shear, t.a), ends, t.b.x);
         }
         const vec3 n = permute(shear, crossProduct(t.b - t.a, t.c - t.a));
         const float side = dotProduct(n, permute(shear, light) - permute(shear, t.a));
@@ -81,7 +81,7 @@ void visible(const Bvh& bvh, vec3 light, std::span<const vec3> points, std::uint
 }
 
 Point point(vec3 origin, vec3 direction, const Triangle& t) {
-  if (t.flipped == IS_SPHERE) return ballPointAt(origin, direction, 0.0F, t.a, t.b.x);
+  if (t.flipped == IS_SPHERE) return spherePointAt(origin, direction, 0.0F, t.a, t.b.x);
   return pointAt(origin, direction, t.a, t.b, t.c, t.flipped != 0);
 }
 
