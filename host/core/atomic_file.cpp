@@ -31,16 +31,16 @@ std::string folderOf(const std::string& file) {
   return slash == std::string::npos ? "./" : file.substr(0, slash + 1);
 }
 
-/// The path that `file` leads to through symbolic links; it need not exist.
+/// The path that `file` resolves to through symbolic links; it need not exist.
 std::string followLinks(const std::string& file) {
-  constexpr int kMaxLinks = 40;  // as Linux
+  constexpr int kMaxLinks = 40;  // as in Linux
   std::error_code error;
   fs::path path = file;
   for (int links = 0; fs::is_symlink(fs::symlink_status(path, error)); ++links) {
     if (links == kMaxLinks) refuse(file, std::generic_category().message(ELOOP));
     const fs::path next = fs::read_symlink(path, error);
     if (error) refuse(file, error.message());
-    path = path.parent_path() / next;  // `next` alone if it is absolute
+    path = path.parent_path() / next;  // is `next` if that is absolute
   }
   return path.string();
 }
@@ -76,8 +76,8 @@ void removeIfAbandoned(const char* file) {
   close(descriptor);
 }
 
-/// Makes a new file in `folder` (empty: the working folder), open for writing and locked as long as
-/// it is open; `name` becomes its path. Returns its descriptor, or -1 with errno set.
+/// Creates a file in `folder` (empty: the working folder), open for writing and locked as long as
+/// it is open, and sets `name` to its path. Returns its descriptor, or -1 with errno set.
 int openTemporary(const std::string& folder, std::string& name) {
   static std::atomic<unsigned> counter{0};
   for (;;) {
@@ -85,17 +85,17 @@ int openTemporary(const std::string& folder, std::string& name) {
     const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0 && errno == EEXIST) continue;
     if (descriptor < 0) return -1;
-    // Where there are no locks nobody can take the file for abandoned. Otherwise somebody may have
-    // done so before it was locked.
+    // A file system without locks never reports the file as abandoned. With locks, another process
+    // may have removed it before it was locked.
     const bool locked = flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
     if (locked && access(name.c_str(), F_OK) == 0) return descriptor;
     close(descriptor);
   }
 }
 
-/// Removes from `folder` the temporary files that no process has open any more: theirs was killed.
-/// The lock tells, not the process number in the name, which means nothing to another machine or
-/// container that shares the folder. Files that cannot be locked stay.
+/// Removes from `folder` the temporary files that no process has open any more because their
+/// process was killed. The lock shows that, not the process number in the name, which means nothing
+/// to another machine or container that shares the folder. Files that cannot be locked stay.
 void removeAbandoned(const std::string& folder) {
   std::error_code error;
   fs::directory_iterator entry(folder.empty() ? "." : folder, error);
@@ -134,7 +134,7 @@ void AtomicFile::write(std::span<const std::byte> bytes) {
 }
 
 void AtomicFile::commit() {
-  // EINVAL: the file system cannot flush; the rename is atomic all the same.
+  // EINVAL: the file system cannot flush; the rename is atomic nevertheless.
   if (fsync(descriptor_) != 0 && errno != EINVAL) fail(errno);
   if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
   temporary_.clear();

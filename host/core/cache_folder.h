@@ -3,8 +3,8 @@
 
 namespace laver {
 
-/// The folder for files that may be lost: $XDG_CACHE_HOME/laver, ~/.cache/laver, or empty where
-/// neither variable holds an absolute path.
+/// The folder for files that may be deleted at any time: $XDG_CACHE_HOME/laver or ~/.cache/laver;
+/// empty if neither variable holds an absolute path.
 std::string cacheFolder();
 
 }  // namespace laver

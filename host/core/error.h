@@ -12,11 +12,11 @@ enum class ExitCode {
   Scene = 3,
   Device = 4,
   Different = 5,
-  Interrupted = 130,  ///< 128 + SIGINT, as shells have it
+  Interrupted = 130,  ///< 128 + SIGINT, as in shells
   Terminated = 143,   ///< 128 + SIGTERM
 };
 
-/// The one exception of laver. what() is ready to print: one line an error, without a final
+/// laver's only exception class. what() is ready to print: one line per error, without a final
 /// newline.
 class Error : public std::runtime_error {
  public:

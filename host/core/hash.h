@@ -10,8 +10,8 @@ struct XXH3_state_s;
 
 namespace laver {
 
-/// XXH3 with 64 bits of a sequence of byte strings, each with its length: "ab", "c" differs from
-/// "a", "bc". Shows whether data are the same and finds damage; it resists no intent.
+/// 64-bit XXH3 of a sequence of byte strings, each preceded by its length, so that "ab", "c"
+/// differs from "a", "bc". It detects differences and damage; it is not secure against intent.
 class Hash {
  public:
   Hash();
@@ -27,11 +27,11 @@ class Hash {
   std::unique_ptr<XXH3_state_s, Free> state_;
 };
 
-/// XXH3 with 64 bits of the bytes alone.
+/// 64-bit XXH3 of the bytes alone.
 std::uint64_t hashOf(std::span<const std::byte> bytes);
 
-/// The same of a file's bytes in 16 hexadecimal digits, as `xxhsum -H3` prints it. Nothing if the
-/// file cannot be read.
+/// 64-bit XXH3 of a file in 16 hexadecimal digits, as `xxhsum -H3` prints it. Nothing if the file
+/// cannot be read.
 std::optional<std::string> hashOfFile(const std::string& file);
 
 }  // namespace laver

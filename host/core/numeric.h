@@ -7,16 +7,18 @@ namespace laver {
 /// The largest |component|.
 double maxNorm(const glm::dvec3& v);
 
-/// Distance from |x|, rounded to float, to the next float: a unit in the last place.
+/// A unit in the last place of |x| rounded to float: the distance to the next float.
 double ulpOf(double x);
 
-/// Distance of a float from the truth in units of the last place of the truth.
+/// Distance of a float from the true value, in ulp of the true value.
 double ulps(float value, double truth);
 
-/// The smallest of the values that a share of them does not exceed (nearest rank); 0 of none.
+/// The smallest value that at least `share` of the values do not exceed (nearest rank); 0 if there
+/// are none.
 double percentile(std::vector<double> values, double share);
 
-/// Linear interpolation between ranks; q = 0.5 is the median. 0 of none.
+/// The q-quantile by linear interpolation between ranks; q = 0.5 is the median. 0 if there are
+/// none.
 double quantile(std::vector<double> values, double q);
 
 }  // namespace laver

@@ -3,10 +3,11 @@
 
 namespace laver {
 
-/// Runs an action so seldom that it takes no more than a share of the time.
+/// Limits how often an action runs, so that it takes at most a share of the time.
 class Throttle {
  public:
-  /// With a share of 0 the action is never due. The first pause is that of an action of 2 ms.
+  /// With a share of 0 the action is never due. Before the first run it waits as long as after a
+  /// run of 2 ms.
   explicit Throttle(double share) : share_(share), next_(after(Clock::now(), Seconds(2e-3))) {}
 
   bool due() const { return Clock::now() >= next_; }

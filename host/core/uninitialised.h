@@ -10,9 +10,9 @@
 
 namespace laver {
 
-/// Allocator whose default construction leaves trivial elements as they are, so that large memory
-/// is first touched by the threads that fill it, and which asks for huge pages, since most of the
-/// time of filling fresh memory goes into faults of small ones.
+/// Allocator that leaves trivial elements uninitialised, so that large memory is first touched by
+/// the threads that fill it. It requests huge pages, since filling fresh memory otherwise spends
+/// most of its time on page faults.
 template <class T>
 struct UninitialisedAllocator {
   using value_type = T;
@@ -25,7 +25,7 @@ struct UninitialisedAllocator {
   T* allocate(std::size_t n) {
     const std::size_t bytes = n * sizeof(T);
     void* memory = ::operator new(bytes, alignment(n));
-    // A hint; where it is refused, the memory serves as it is.
+    // Only a hint: a refusal changes nothing.
     if (bytes >= kHugePage) madvise(memory, bytes, MADV_HUGEPAGE);
     return static_cast<T*>(memory);
   }
@@ -46,7 +46,7 @@ struct UninitialisedAllocator {
   }
 };
 
-/// A vector whose resize() sets no new element.
+/// A vector whose resize() leaves new elements uninitialised.
 template <class T>
 using UninitialisedVector = std::vector<T, UninitialisedAllocator<T>>;
 

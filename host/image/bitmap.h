@@ -9,7 +9,7 @@ namespace laver {
 
 using Rgb8 = std::array<std::uint8_t, 3>;
 
-/// 8-bit sRGB picture, row-major from the top left.
+/// An 8-bit sRGB image, row-major from the top left.
 struct Bitmap {
   int width = 0;
   int height = 0;
@@ -24,7 +24,7 @@ struct Bitmap {
     return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                   static_cast<std::size_t>(x)];
   }
-  /// Fills pixels x <= . < x + w, y <= . < y + h, which must lie inside.
+  /// Fills the w x h pixels whose top left corner is (x, y); they must lie inside.
   void fill(int x, int y, int w, int h, Rgb8 colour) {
     for (int v = y; v < y + h; ++v)
       for (int u = x; u < x + w; ++u) at(u, v) = colour;
@@ -35,8 +35,8 @@ struct Bitmap {
 int textWidth(const std::string& text, int dot);
 int textHeight(int dot);
 
-/// Draws `text` with its top left corner at x, y; it must lie inside. There are the digits and the
-/// letters of "e-inf"; others are blank.
+/// Draws `text` with its top left corner at (x, y); it must fit. There are glyphs for the digits
+/// and the letters of "e-inf"; other characters are blank.
 void drawText(Bitmap& bitmap, int x, int y, const std::string& text, int dot, Rgb8 colour);
 
 }  // namespace laver

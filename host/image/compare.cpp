@@ -48,16 +48,16 @@ void requireAlike(const Image& a, const Image& b) {
   }
 }
 
-/// The place in b's channels of each of a's.
+/// For each channel of a, its index among b's channels.
 std::vector<std::size_t> matchingChannels(const Image& a, const Image& b) {
-  std::vector<std::size_t> places;
+  std::vector<std::size_t> indices;
   for (const std::string& name : a.channels)
-    places.push_back(static_cast<std::size_t>(
+    indices.push_back(static_cast<std::size_t>(
         std::find(b.channels.begin(), b.channels.end(), name) - b.channels.begin()));
-  return places;
+  return indices;
 }
 
-/// Calls use(i, a, b) for every number of a, at place i in it, and its counterpart in b.
+/// Calls use(i, value of a, value of b) for every number i of a.
 template <class Use>
 void forPairs(const Image& a, const Image& b, Use use) {
   requireAlike(a, b);

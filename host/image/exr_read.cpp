@@ -21,7 +21,7 @@
 namespace laver {
 namespace {
 
-/// Sorts by layer, and inside it R, G, B, A before the other names.
+/// Sort key: by layer, and within a layer R, G, B, A before the other names.
 auto channelOrder(const std::string& name) {
   const std::size_t dot = name.rfind('.');
   const std::size_t start = dot == std::string::npos ? 0 : dot + 1;

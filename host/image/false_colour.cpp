@@ -22,7 +22,7 @@ constexpr std::array<Rgb8, 9> kViridis = {{{68, 1, 84},
                                            {170, 220, 50},
                                            {253, 231, 37}}};
 
-/// The map's colour at t in [0, 1].
+/// The colour of the map at t in [0, 1].
 Rgb8 viridis(double t) {
   const double at = std::clamp(t, 0.0, 1.0) * (kViridis.size() - 1);
   const std::size_t low = std::min(static_cast<std::size_t>(at), kViridis.size() - 2);
@@ -36,7 +36,7 @@ Rgb8 viridis(double t) {
 
 std::string label(int exponent) { return exponent == 0 ? "1" : fmt::format("1e{}", exponent); }
 
-/// Where the parts of the scale lie; all in pixels.
+/// Layout of the colour scale, in pixels.
 struct Layout {
   Layout(int pictureHeight, LogScale scale)
       : dot(std::max(2, pictureHeight / 400)),

@@ -11,17 +11,16 @@ struct LogScale {
   int high = 0;
 };
 
-/// From 10^-8 to 1, the same for most pictures so that they can be set side by side; further up,
-/// to a power of ten, where a finite distance is larger.
+/// From 10^-8 to 1, so that most images have the same scale; the upper end is the next power of ten
+/// if a finite distance is larger than 1.
 LogScale scaleFor(std::span<const double> distances);
 
-/// Black for 0, magenta for what is not finite, else a colour from dark violet over green to yellow
-/// (matplotlib's viridis) that is the brighter the larger the distance; beyond the scale its end.
+/// Black for 0, magenta for a value that is not finite, else a colour of matplotlib's viridis, from
+/// dark violet over green to yellow as the distance grows; clamped to the ends of the scale.
 Rgb8 falseColour(double distance, LogScale scale);
 
-/// `distances` of width * height pixels in false colours, with the scale beside them on the right
-/// and its numbers, "0" and "inf" below it. The picture is at (0, 0); it is wider, and a low one
-/// higher, than what it shows.
+/// `distances` of width * height pixels in false colours, with a labelled scale on the right. The
+/// image begins at (0, 0); the bitmap is wider than the image, and higher than a low one.
 Bitmap drawDistances(std::span<const double> distances, int width, int height);
 
 }  // namespace laver

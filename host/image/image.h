@@ -5,7 +5,7 @@
 
 namespace laver {
 
-/// Floating-point picture, row-major from the top left, channels interleaved.
+/// A floating-point image, row-major from the top left, channels interleaved.
 struct Image {
   int width = 0;
   int height = 0;
@@ -23,15 +23,15 @@ struct Image {
   }
 };
 
-/// A black picture with channels R, G, B, or others.
+/// A black image with channels R, G, B, or with the given ones.
 Image rgbImage(int width, int height);
 Image blackImage(int width, int height, std::vector<std::string> channels);
 
-/// One picture with the channels of all, which have the same size.
+/// One image with the channels of all parts, which have the same size.
 Image joined(std::vector<Image> parts);
 
-/// Why `image` is not a picture: no pixels, no channels, a name twice, or sizes that disagree.
-/// Empty when it is one.
+/// The reason why `image` is invalid: no pixels, no channels, a duplicate name, or inconsistent
+/// sizes. Empty if it is valid.
 std::string imageDefect(const Image& image);
 
 }  // namespace laver

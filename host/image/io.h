@@ -10,31 +10,30 @@
 
 namespace laver {
 
-/// Attributes of an EXR file by name; matrices are glm's column-vector convention.
+/// Attributes of an EXR file by name. Matrices follow glm's column-vector convention.
 using Metadata = std::map<std::string, std::variant<std::string, double, int, glm::dmat4>>;
 
-/// Writes 32-bit float channels, ZIP-compressed on `threads` threads (0: all). The file is replaced
-/// atomically, as AtomicFile does. Throws Error(Output).
+/// Writes 32-bit float channels, ZIP-compressed on `threads` threads (0: all). Replaces the file
+/// atomically. Throws Error(Output).
 void writeExr(const std::string& file, const Image& image, const Metadata& metadata = {},
               unsigned threads = 0);
 
-/// Reads every channel of an EXR file as float, over its data window. Names stay as in the file;
-/// they come sorted by layer and name, but R, G, B, A of a layer come first and in that order.
-/// Throws Error(Usage) if it cannot be read, and for deep data and several parts.
+/// Reads every channel of an EXR file as float, over its data window. Channels are sorted by layer
+/// and name, except that R, G, B, A of a layer come first. Throws Error(Usage) if the file cannot
+/// be read, is deep or has several parts.
 Image readExr(const std::string& file);
 
 /// The string attributes of an EXR file, by name. Throws Error(Usage) if it is no EXR file.
 std::map<std::string, std::string> readExrTexts(const std::string& file);
 
-/// Writes R, G, B as 8-bit sRGB, clamped and rounded to nearest; the file is replaced
-/// atomically.
+/// Writes R, G, B as 8-bit sRGB, clamped and rounded to nearest. Replaces the file atomically.
 void writePng(const std::string& file, const Image& image);
-/// What decides how a PNG is packed.
+/// The kind of image, which determines how a PNG is compressed.
 enum class PngContent { Render, Drawing };
 void writePng(const std::string& file, const Bitmap& bitmap,
               PngContent content = PngContent::Render);
 
-/// The bytes of such a file. Throws Error(Output).
+/// A PNG file in memory. Throws Error(Output).
 std::vector<std::byte> encodePng(const Bitmap& bitmap);
 
 }  // namespace laver

@@ -1,5 +1,5 @@
 #include <cstdio>  // jpeglib.h wants FILE
-// The order matters.
+// jpeglib.h must precede jerror.h.
 #include <jpeglib.h>
 //
 #include <jerror.h>
@@ -13,7 +13,8 @@
 namespace laver {
 namespace {
 
-/// libjpeg leaves by longjmp: no function that may be left so holds an object with a destructor.
+/// libjpeg reports errors by longjmp, so no function that it may leave holds an object with a
+/// destructor.
 class JpegReader {
  public:
   JpegReader() {
@@ -61,7 +62,7 @@ class JpegReader {
     std::longjmp(self->back_, 1);
   }
 
-  /// Level -1 is damage that libjpeg would paint over, or an oddity that changes no pixel.
+  /// Level -1 is either damage, which libjpeg would fill in, or an oddity that changes no pixel.
   static void warn(j_common_ptr jpeg, int level) {
     const int code = jpeg->err->msg_code;
     const bool harmless = code == JWRN_EXTRANEOUS_DATA || code == JWRN_ADOBE_XFORM ||

@@ -52,7 +52,7 @@ struct PngTarget {
   std::array<char, 200> reason{};  ///< of a failure
 };
 
-/// libpng leaves by longjmp: nothing in here has a destructor.
+/// libpng reports errors by longjmp, so nothing in here has a destructor.
 bool encode(const Bitmap& bitmap, PngContent content, PngTarget& target) {
   const auto fail = [](png_structp png, png_const_charp message) {
     auto& reason = static_cast<PngTarget*>(png_get_error_ptr(png))->reason;
@@ -82,14 +82,14 @@ bool encode(const Bitmap& bitmap, PngContent content, PngTarget& target) {
                static_cast<png_uint_32>(bitmap.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
-  // A rendered picture's noise repeats nowhere but in runs. Against zlib's level 6 on five scenes:
-  // a quarter to a third of the time, files 4 % smaller to 14 % larger.
+  // The noise of a render compresses only by runs. Compared with zlib's level 6 on five scenes: a
+  // quarter to a third of the time, files 4 % smaller to 14 % larger.
   if (content == PngContent::Render) {
     png_set_compression_strategy(png, Z_RLE);
   } else {
     png_set_compression_level(png, Z_BEST_COMPRESSION);
-    png_set_filter(png, PNG_FILTER_TYPE_BASE,
-                   PNG_FILTER_NONE);  // lines and letters repeat as they are
+    // Lines and letters repeat unfiltered.
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
   }
   png_write_info(png, info);
   const auto width = static_cast<std::size_t>(bitmap.width);
@@ -100,7 +100,8 @@ bool encode(const Bitmap& bitmap, PngContent content, PngTarget& target) {
   return true;
 }
 
-/// libpng leaves by longjmp: no function that may be left so holds an object with a destructor.
+/// libpng reports errors by longjmp, so no function that it may leave holds an object with a
+/// destructor.
 class PngReader {
  public:
   explicit PngReader(std::span<const std::byte> bytes) : left_(bytes) {
@@ -113,7 +114,7 @@ class PngReader {
   PngReader(const PngReader&) = delete;
   PngReader& operator=(const PngReader&) = delete;
 
-  /// Reads up to the pixels and asks for R, G, B of 8 or 16 bits.
+  /// Reads up to the pixels and selects conversion to R, G, B of 8 or 16 bits.
   bool readHeader() {
     if (setjmp(png_jmpbuf(png_)) != 0) return false;
     png_set_user_limits(png_, 1U << 16, 1U << 16);

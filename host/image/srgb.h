@@ -5,12 +5,13 @@
 
 namespace laver {
 
-/// Linear light to the sRGB transfer curve of IEC 61966-2-1, clamped to [0, 1], times 255, rounded
-/// to nearest. NaN gives 0.
+/// 255 times the sRGB transfer curve of IEC 61966-2-1, clamped to [0, 1] and rounded to nearest.
+/// NaN gives 0.
 std::uint8_t srgb8(float linear);
 
-/// The same, bit for bit, by looking it up: floats that agree in all but their lowest 16 bits
-/// differ by at most 1, as the curve rises by 255 / 2.4 / 128 < 1 over 1/128 of its argument.
+/// srgb8() by table, bit for bit. Within a bucket of floats that agree in all but their lowest 16
+/// bits, srgb8() varies by at most 1, since the curve rises by 255 / 2.4 / 128 < 1 over 1/128 of
+/// its argument.
 class SrgbTable {
  public:
   static const SrgbTable& shared();
@@ -24,7 +25,7 @@ class SrgbTable {
 
  private:
   struct Bucket {
-    float next;  ///< from here on 1 more; infinity where the bucket has one value
+    float next;  ///< from here on `value` + 1; infinity if the bucket has one value
     std::uint8_t value;
   };
   static constexpr float kLow = 0x1p-13f;  ///< 255 * 12.92 * 2^-13 < 1/2

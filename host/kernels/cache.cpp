@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a file begins with; the words follow. Numbers are in native order.
+/// Start of a file, followed by the words. Numbers are in native byte order.
 struct Header {
   char magic[8] = {'l', 'a', 'v', 'e', 'r', 's', 'p', '1'};
   std::uint64_t bytes = 0;
@@ -72,7 +72,7 @@ void KernelCache::write(const std::string& hash, const Spirv& module) const {
     file.commit();
     prune();
   } catch (const std::exception&) {
-    // Nothing is kept then.
+    // A kernel that cannot be written is not cached.
   }
 }
 

@@ -6,15 +6,15 @@
 
 namespace laver {
 
-/// 128 bits of a kernel's text and of the compiler's version, in hexadecimal.
+/// 128-bit hash of a kernel's text and the compiler's version, in hexadecimal.
 std::string hashOfKernel(const std::string& text);
 
-/// Compiled kernels in files, one per hash. It may be lost at any time: files that are damaged, cut
-/// short or unreadable count as absent, and nothing that goes wrong is an error. Processes may
-/// share it: a file appears whole or not at all.
+/// Compiled kernels in files, one per hash. The files may be deleted at any time: damaged,
+/// truncated or unreadable files count as absent, and no failure is an error. Processes may share
+/// the folder, since a file appears whole or not at all.
 class KernelCache {
  public:
-  /// In `folder`; an empty path keeps nothing.
+  /// `folder` may be empty: then nothing is cached.
   explicit KernelCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
   /// $XDG_CACHE_HOME/laver/kernels or ~/.cache/laver/kernels.
   static KernelCache ofUser();

@@ -5,21 +5,21 @@
 
 namespace laver {
 
-/// A module's words.
+/// The words of a SPIR-V module.
 using Spirv = std::vector<std::uint32_t>;
 
-/// How much time goes into a module that the driver then compiles sooner.
+/// How much time to spend on optimisation, which shortens compilation by the driver.
 enum class Effort {
-  None,     ///< as glslang makes it: for tests
-  Quick,    ///< some 0.2 s: for kernels composed while a render waits
-  Thorough  ///< some 2 s: for those that are embedded
+  None,     ///< not optimised: for tests
+  Quick,    ///< about 0.2 s: for kernels that a render waits for
+  Thorough  ///< about 2 s: for embedded kernels
 };
 
-/// SPIR-V of a whole compute kernel. Throws Error(Scene) with one `file:line: error: ...` line per
-/// error, files as the text's #line directives name them.
+/// Compiles a complete compute kernel. Throws Error(Scene) with one `file:line: error: ...` line
+/// per error; file and line follow the text's #line directives.
 Spirv compileGlsl(const std::string& text, Effort effort);
 
-/// What the result depends on beside the text: versions of the compiler and of this code.
+/// Versions of the compiler and of this code: with the text, they determine the result.
 std::string compilerVersion();
 
 }  // namespace laver

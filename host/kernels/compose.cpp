@@ -72,8 +72,8 @@ void traceConstants(const TraceKey& key, Text& text) {
   text.flag("CENTRES", key.integrator == "centres");
 }
 
-/// A function that calls NAME + suffix of the one of `names` that `which` says; the last of them
-/// where it says none.
+/// Writes a function that calls NAME + suffix for the NAME of index `which` in `names`, the last
+/// for any larger index.
 void dispatch(Text& text, const std::vector<std::string>& names, const char* suffix,
               const char* head, const char* which, const char* arguments) {
   text.line("{} {{", head);
@@ -83,14 +83,14 @@ void dispatch(Text& text, const std::vector<std::string>& names, const char* suf
   text.line("}}");
 }
 
-/// A user's own text: errors name its file and lines.
-void userText(const std::string& file, const std::string& own, Text& text) {
+/// A user's text, with #line so that errors show the user's file and line.
+void userText(const std::string& file, const std::string& source, Text& text) {
   text.line("#line 1 \"{}\"", file);
-  text.append(own);
+  text.append(source);
   text.line("");
 }
 
-/// A BSDF of the user's own, whose numbers have their names while its text lasts.
+/// A user's BSDF. Its numbers are named xml_NAME within its text.
 void userBsdf(const UserBsdfText& bsdf, Text& text) {
   const char* components[] = {"x", "y", "z", "w"};
   for (std::size_t i = 0; i < bsdf.numbers.size(); ++i)
@@ -132,8 +132,8 @@ void shading(const TraceKey& key, Text& text) {
   text.line("#include \"emitter/{}.glsl\"", key.background);
 }
 
-/// The integrator's property NAME as `xml_NAME`: a constant where the key holds a value, else a
-/// parameter.
+/// Defines each property of the integrator as `xml_NAME`: a constant if the key holds its value,
+/// else a component of params.properties.
 void properties(const TraceKey& key, Text& text) {
   const char* parameters[] = {"x", "y", "z", "w"};
   for (std::size_t i = 0; i < key.properties.size(); ++i) {
@@ -145,14 +145,14 @@ void properties(const TraceKey& key, Text& text) {
   }
 }
 
-/// Of `#line N "FILE"`: takes the name, and returns the number of the directive's own line.
+/// Parses `#line N "FILE"`: sets `name` and returns the number of the directive's own line.
 std::size_t takeLine(std::string_view line, std::string& name) {
   const std::size_t quote = line.find('"');
   name = std::string(line.substr(quote + 1, line.rfind('"') - quote - 1));
   return std::stoul(std::string(line.substr(6, quote - 6))) - 1;
 }
 
-/// Appends `text` with its includes; `seen` are the files that it has already.
+/// Appends `text` with its includes expanded; `seen` holds the files that `out` has already.
 void expand(std::string_view text, std::string name, std::set<std::string>& seen,
             std::string& out) {
   std::size_t number = 0;

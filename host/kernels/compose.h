@@ -8,19 +8,20 @@
 
 namespace laver {
 
-/// GLSL text of the kernels, whole: every #include is expanded, with #line directives that name
+/// Complete GLSL text of a kernel: every #include is expanded, with #line directives that name the
 /// files.
 std::string compose(const TraceKey& key);
 std::string compose(const GatherKey& key);
 
-/// The trace kernel's text up to its main function, followed by `main`: for tests that trace rays
-/// of their own.
+/// The text of the trace kernel before its main function, followed by `main`. For tests that trace
+/// their own rays.
 std::string composeWith(const TraceKey& key, std::string_view main);
 
-/// A file of shaders/, as it was built in; empty if there is none of that path.
+/// The embedded text of a file of shaders/; empty if there is none of that path.
 std::string_view shaderText(std::string_view path);
 
-/// Expands each `#include "path"` once, the second time to nothing.
+/// Expands the first `#include` of each file, and removes later ones. `name` is the file name of
+/// `text` in #line directives.
 std::string expandIncludes(std::string_view text, const std::string& name);
 
 }  // namespace laver

@@ -1,4 +1,4 @@
-// Composes and compiles the common kernels when laver is built, and writes them as C++.
+// Build tool: composes and compiles the common kernels and writes them as C++.
 #include <cstdio>
 #include <exception>
 #include <fstream>

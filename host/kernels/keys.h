@@ -5,67 +5,69 @@
 
 namespace laver {
 
-/// How rays go through the tree (shaders/trace/).
+/// How rays traverse the tree (shaders/trace/).
 enum class Traversal {
-  Lane,      ///< a ray per invocation
-  Packet32,  ///< 32 rays of one origin share a walk
-  Packet64   ///< 64 do
+  Lane,      ///< one ray per invocation
+  Packet32,  ///< 32 rays that share an origin share a walk
+  Packet64   ///< as Packet32, with 64 rays
 };
 
 /// "lane", "packet32" or "packet64".
 const char* traversalName(Traversal traversal);
 bool isPacket(Traversal traversal);
 
-/// A property of an integrator, `xml_NAME` in its GLSL. Without a value property i of the row is
-/// component i of params.properties.
+/// A property of an integrator, `xml_NAME` in its GLSL. If `value` is empty, property i of the row
+/// is component i of params.properties.
 struct KernelProperty {
   std::string type, name, value;  ///< GLSL
 
   bool operator==(const KernelProperty&) const = default;
 };
 
-/// A BSDF of the user's own. Its float properties are `xml_NAME` in its text.
+/// A BSDF from a user's file. Its float properties are `xml_NAME` in its text.
 struct UserBsdfText {
   std::string name, file, text;
-  std::vector<std::string> numbers;  ///< names, in the order of the materials' records
+  std::vector<std::string>
+      numbers;  ///< names of float properties, in the order of Material::numbers
 
   bool operator==(const UserBsdfText&) const = default;
 };
 
-/// Everything that a trace kernel is composed of, and nothing more: what is false, zero or empty is
-/// not in the kernel. Names are those of files in the folders of shaders/.
+/// Everything that determines the text of a trace kernel. Features that are false, zero or empty
+/// are not in the kernel. Names are those of files in the folders of shaders/.
 struct TraceKey {
-  std::string integrator = "normals";  ///< or "centres", which writes layers of pixels' centres
-  std::string userFile, userText;      ///< of an integrator of the user's own, used instead
+  std::string integrator = "normals";  ///< or "centres" (film/centres.glsl)
+  std::string userFile, userText;      ///< of a user's integrator, used instead of `integrator`
   std::string camera = "perspective";
   std::string sampler = "independent";
   std::string background = "none";
-  std::vector<std::string> bsdfs;  ///< those that surfaces have; none: the integrator needs none
-  std::vector<UserBsdfText> userBsdfs;  ///< of these, those of the user's own
-  std::vector<std::string> textures;    ///< those that surfaces show
+  std::vector<std::string> bsdfs;       ///< of the scene; empty if the integrator needs none
+  std::vector<UserBsdfText> userBsdfs;  ///< those of `bsdfs` that come from users' files
+  std::vector<std::string> textures;    ///< of the scene
   Traversal traversal = Traversal::Lane;
   std::uint32_t stack = 64;      ///< entries of the traversal's stack
-  std::uint32_t jumpLevels = 0;  ///< tables that `independent` needs, 1 to 3
-  bool hits = true;              ///< some hit or miss shows something; else no ray is traced
-  bool normals = false;          ///< some mesh has vertex normals that show
-  bool materials = false;        ///< the meshes differ in what they are made of
-  bool bsdfRecords = false;      ///< a mesh's record says which BSDF it has, and its numbers
+  std::uint32_t jumpLevels = 0;  ///< number of tables that `independent` needs, 1 to 3
+  bool hits = true;              ///< hits affect the result; otherwise no ray is traced
+  bool normals = false;          ///< some mesh has vertex normals that affect the result
+  bool materials = false;        ///< the meshes differ in their materials
+  bool bsdfRecords = false;      ///< Material records hold a BSDF's index and its numbers
   bool spheres = false;          ///< some mesh is a sphere
-  bool lights = false;           ///< point lights show
-  bool manyLights = false;       ///< more than one dispatch sums
-  bool byteImages = false, floatImages = false;  ///< what textures and the background are stored as
-  bool adaptive = false;                         ///< cells have sample counts of their own
-  bool signedValues = false;                     ///< negative values are not left out
-  std::vector<KernelProperty> properties;        ///< of the integrator, in the order of its row
+  bool lights = false;           ///< point lights affect the result
+  bool manyLights = false;       ///< the lights of a pass take several dispatches
+  bool byteImages = false,
+       floatImages = false;                ///< formats of the images of textures and background
+  bool adaptive = false;                   ///< sample counts vary by cell
+  bool signedValues = false;               ///< samples with negative values are kept
+  std::vector<KernelProperty> properties;  ///< of the integrator, in the order of its row
 
   bool operator==(const TraceKey&) const = default;
 };
 
-/// The same for the kernel that reconstructs.
+/// Everything that determines the text of a gather kernel, which reconstructs.
 struct GatherKey {
   std::string filter = "gaussian_narrow";
   std::uint32_t apron = 2;  ///< pixels on each side that a sample can reach
-  bool strips = false;      ///< subgroups of 8 lanes share a strip (film/gather_strip.glsl)
+  bool strips = false;      ///< film/gather_strip.glsl, for subgroups of 8 lanes
   bool adaptive = false;
 
   bool operator==(const GatherKey&) const = default;

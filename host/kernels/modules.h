@@ -12,10 +12,11 @@ struct EmbeddedModule {
   std::span<const std::uint32_t> words;
 };
 
-/// Written by host/kernels/embed.cpp, or none in a program that is linked without it.
+/// Defined in the source that host/kernels/embed.cpp writes; empty in programs that are linked
+/// without it.
 std::span<const EmbeddedModule> embeddedModules();
 
-/// The kernels that most renders need.
+/// Texts of the kernels that most renders need.
 std::vector<std::string> commonKernels();
 
 /// Where a module came from.
@@ -26,8 +27,8 @@ struct Module {
   ModuleSource source;
 };
 
-/// The module of a composed text: embedded, or kept from an earlier run, or compiled now and kept.
-/// Throws as compileGlsl does.
+/// The module of a composed text: embedded, cached by an earlier run, or compiled and cached now.
+/// Throws as compileGlsl() does.
 Module moduleOf(const std::string& text);
 
 }  // namespace laver

@@ -11,7 +11,7 @@
 namespace laver {
 namespace {
 
-/// A value is shown as (value - low) * scale.
+/// A value is displayed as (value - low) * scale.
 struct Tone {
   float low = 0.0F, scale = 1.0F;
 };
@@ -30,9 +30,9 @@ Tone toneOf(const View& view, const Image& image, const ViewLayer& layer) {
   return low < high ? Tone{low, exposure / (high - low)} : Tone{0.0F, exposure};
 }
 
-/// For each of `count` pixels of the window `each` pixels of the picture along one axis; -1
-/// outside.
-std::vector<int> lookUp(int count, int each, double offset, double zoom, int size) {
+/// For each of `count` pixels of the window, `each` image pixels along one axis; -1 outside the
+/// image.
+std::vector<int> sampledPixels(int count, int each, double offset, double zoom, int size) {
   std::vector<int> places;
   for (int i = 0; i < count * each; ++i) {
     const double p = std::floor(((i + 0.5) / each - offset) / zoom);
@@ -41,7 +41,7 @@ std::vector<int> lookUp(int count, int each, double offset, double zoom, int siz
   return places;
 }
 
-/// The mean of the pixels that are added, as a colour.
+/// Mean of the added pixels, as a colour.
 class Mean {
  public:
   Mean(const ViewLayer& layer, Tone tone) : layer_(layer), tone_(tone) {}
@@ -65,7 +65,7 @@ class Mean {
   const SrgbTable& table_ = SrgbTable::shared();
 };
 
-/// The largest difference of the pixels that are added, as a colour.
+/// Largest difference of the added pixels, as a colour.
 class Largest {
  public:
   Largest(const ViewLayer& layer, const Image& a, const Image& b) : layer_(layer), a_(a), b_(b) {}
@@ -90,8 +90,8 @@ void draw(const Image& image, const Placement& placement, Pixel pixel, Bitmap& b
   const double zoom = placement.zoom();
   const int each = static_cast<int>(std::clamp(std::ceil(1.0 / zoom), 1.0, 4.0));
   const glm::dvec2 offset = placement.offset();
-  const auto columns = lookUp(bitmap.width, each, offset.x, zoom, image.width);
-  const auto rows = lookUp(bitmap.height, each, offset.y, zoom, image.height);
+  const auto columns = sampledPixels(bitmap.width, each, offset.x, zoom, image.width);
+  const auto rows = sampledPixels(bitmap.height, each, offset.y, zoom, image.height);
   const auto side = static_cast<std::size_t>(each);
   for (int y = 0; y < bitmap.height; ++y)
     for (int x = 0; x < bitmap.width; ++x) {

@@ -6,14 +6,14 @@
 
 namespace laver {
 
-/// Around the picture.
+/// Colour around the image.
 inline constexpr Rgb8 kSurround = {48, 48, 48};
 
-/// What a window of width x height pixels shows of a layer of `a` or `b`, or of their difference,
-/// which is drawn as `laver compare` draws it: the largest over the layer's channels. A pixel of
-/// the picture is drawn as one colour; where it is smaller than the window's, up to 4 x 4 of them
-/// make one, by their mean or their largest difference. At exposure 0 colours are those of the
-/// PNG. `b` may be null unless the view's mode asks for it.
+/// The pixels of a window of width x height that shows a layer of `a` or `b`, or their difference
+/// in the false colours of `laver compare`: the largest over the layer's channels. Image pixels are
+/// drawn as squares of one colour. Where they are smaller than the window's pixels, up to 4 x 4 of
+/// them are reduced to one, by their mean or their largest difference. At exposure 0 colours are
+/// those of the PNG. `b` may be null unless the view's mode needs it.
 Bitmap compose(const Image& a, const Image* b, const ViewLayer& layer, const View& view, int width,
                int height);
 

@@ -22,8 +22,8 @@ constexpr int kConnectTicks = 50;  // 5 s
 
 std::string reasonOf(int error) { return std::generic_category().message(error); }
 
-/// Waits until `socket` takes data. 0, or an errno: ETIMEDOUT after `ticks` of kTickMilliseconds
-/// (negative: none) or when patience ends.
+/// Waits until `socket` can be written to. Returns 0, or an errno: ETIMEDOUT after `ticks` of
+/// kTickMilliseconds (negative: no limit) or when `patience` returns false.
 int waitToWrite(int socket, const Connection::Patience& patience, int ticks) {
   for (; ticks != 0 && patience(); --ticks) {
     pollfd wanted{socket, POLLOUT, 0};
@@ -34,7 +34,7 @@ int waitToWrite(int socket, const Connection::Patience& patience, int ticks) {
   return ETIMEDOUT;
 }
 
-/// Connects a new socket to `address`. 0, or an errno.
+/// Connects a new socket to `address`. Returns 0, or an errno.
 int connectTo(const addrinfo& address, const Connection::Patience& patience, int& socket) {
   socket = ::socket(address.ai_family, address.ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC,
                     address.ai_protocol);
@@ -78,8 +78,8 @@ Connection::Connection(const ViewerAddress& address, const Patience& patience) {
   addrinfo hints{};
   hints.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
-  // No host means the loopback addresses, which "localhost" always names (RFC 6761, section 6.3),
-  // also where the system resolves no names.
+  // A null host means the loopback addresses, which are what "localhost" must name (RFC 6761,
+  // section 6.3) even if the system resolves no names.
   const char* host = address.host == "localhost" ? nullptr : address.host.c_str();
   const int failed = ::getaddrinfo(host, address.port.c_str(), &hints, &found);
   if (failed != 0)

@@ -6,28 +6,29 @@
 
 namespace laver {
 
-/// Where a viewer listens.
+/// The address at which a viewer listens.
 struct ViewerAddress {
   std::string host, port;
 };
 
-/// Reads HOST:PORT, [IPV6]:PORT or HOST, whose port is tev's own, 14158. Throws Error(Usage).
+/// Parses HOST:PORT, [IPV6]:PORT or HOST, with tev's default port 14158. Throws Error(Usage).
 ViewerAddress viewerAddress(const std::string& text);
 
-/// A TCP connection that is never waited for longer than its user likes.
+/// A TCP connection whose waits can be abandoned.
 class Connection {
  public:
-  /// Asked ten times a second while something is waited for: false gives up.
+  /// Called ten times per second during a wait; the wait is abandoned if it returns false.
   using Patience = std::function<bool()>;
 
-  /// Tries every address that the host's name has, each for 5 s at most. Looking up a name cannot
-  /// be given up. Throws std::runtime_error with the reason.
+  /// Tries every address of the host, each for at most 5 s. Looking up a name cannot be abandoned.
+  /// Throws std::runtime_error with the reason.
   Connection(const ViewerAddress& address, const Patience& patience);
   ~Connection();
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
-  /// Sends all, and calls `progress` whenever some went. Throws std::runtime_error with the reason.
+  /// Sends all bytes, and calls `progress` after each part. Throws std::runtime_error with the
+  /// reason.
   void send(std::span<const std::byte> bytes, const Patience& patience,
             const std::function<void()>& progress) const;
 

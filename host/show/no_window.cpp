@@ -1,4 +1,4 @@
-// Stands in for the others where GLFW or Dear ImGui is missing.
+// Replaces window.cpp and panels.cpp where GLFW or Dear ImGui is missing.
 #include "core/error.h"
 #include "show/window.h"
 

@@ -16,7 +16,7 @@ using Contents = ViewedPictures::Contents;
 
 void text(const std::string& line) { ImGui::TextUnformatted(line.c_str()); }
 
-/// Names of the pictures and of the layer, as buttons where there is a choice.
+/// Radio buttons for the picture, if there are two, and for the layer.
 void drawChoices(const Contents& contents, const std::vector<ViewLayer>& layers, View& view) {
   using Mode = View::Mode;
   const auto choice = [&](const std::string& label, bool chosen) {
@@ -83,7 +83,7 @@ void ImageView::draw(const ViewedPictures::Contents& contents, const ViewLayer& 
                  bitmap.pixels.data());
     drawn_ = wanted;
   }
-  // NOLINTNEXTLINE(performance-no-int-to-ptr): what ImGui's OpenGL backend takes
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): required by ImGui's OpenGL backend
   const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture_));
   ImGui::GetBackgroundDrawList()->AddImage(
       texture, {0.0F, 0.0F}, {static_cast<float>(size.x), static_cast<float>(size.y)});

@@ -10,8 +10,8 @@
 // The parts of a window: the picture and the panel below it.
 namespace laver {
 
-/// The part of the window that shows a picture, as an OpenGL texture of the window's size. Lives
-/// while the context is current.
+/// The area of the window that shows an image, as an OpenGL texture of the same size. Must be
+/// destroyed while the OpenGL context is current.
 class ImageView {
  public:
   ImageView();
@@ -31,14 +31,14 @@ class ImageView {
     bool operator==(const Drawn&) const = default;
   };
   unsigned texture_ = 0;
-  std::optional<Drawn> drawn_;  ///< what the texture holds
+  std::optional<Drawn> drawn_;  ///< contents of the texture
 };
 
 /// Height of the panel in pixels.
 inline constexpr int kPanelHeight = 96;
 
-/// The panel along the window's lower edge, `width` pixels wide from (0, top): what is shown, what
-/// is under the cursor, how far the rendering is. Its buttons change the view.
+/// Draws the panel along the window's lower edge, `width` pixels wide from (0, top): buttons that
+/// change the view, values under the cursor, progress of the render.
 void drawPanel(const ViewedPictures::Contents& contents, const std::vector<ViewLayer>& layers,
                std::optional<glm::ivec2> pixel, int width, int top, View& view);
 

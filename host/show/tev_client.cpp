@@ -18,14 +18,14 @@ namespace laver {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::chrono::seconds kStalled{1}, kAtMost{10};
-/// Numbers of a packet: a quarter MiB takes some ten microseconds to copy.
+constexpr std::chrono::seconds kStalled{1}, kLongest{10};
+/// Floats per packet: a quarter MiB takes some ten microseconds to copy.
 constexpr std::size_t kPacketFloats = 1 << 16;
 
 static_assert(std::endian::native == std::endian::little, "packets hold little-endian numbers");
 
-/// A message that tev and HDRView read. Little-endian: u32 length of the packet with these four
-/// bytes, u8 operation, payload; strings end in NUL.
+/// A message to tev or HDRView, little-endian: u32 length of the packet including these four bytes,
+/// u8 operation, payload; strings end in NUL.
 class Packet {
  public:
   explicit Packet(std::uint8_t operation) {
@@ -58,7 +58,7 @@ class Packet {
   std::vector<std::byte> bytes_;
 };
 
-/// Operation 4: a black picture, shown at once.
+/// Operation 4: creates a black image and shows it.
 std::vector<std::byte> createImagePacket(const std::string& name, int width, int height,
                                          const std::vector<std::string>& channels) {
   Packet packet(4);
@@ -71,7 +71,7 @@ std::vector<std::byte> createImagePacket(const std::string& name, int width, int
   return packet.finish();
 }
 
-/// Operation 6: new values of `rows` whole rows from row `y` on, channels interleaved.
+/// Operation 6: replaces `rows` whole rows from row `y` on, channels interleaved.
 std::vector<std::byte> updateImagePacket(const std::string& name,
                                          const std::vector<std::string>& channels, int y, int width,
                                          int rows, std::span<const float> pixels) {
@@ -97,18 +97,18 @@ struct TevClient::State {
   std::mutex mutex;  // guards all below
   std::condition_variable changed;
   Image latest;
-  std::vector<bool> waiting;  // rows that the viewer has not got as they are
-  std::size_t next = 0;       // row to look at first
+  std::vector<bool> waiting;  // rows that changed since they were last sent
+  std::size_t next = 0;       // where the search for a waiting row starts
   bool connected = false;
   bool ending = false;  // no more rows come
   bool over = false;    // the thread has ended
   Clock::time_point end, progress;
 
-  /// While rows still come, for ever.
+  /// Whether to go on waiting for the viewer: always while rows may still arrive.
   bool patient() {
     const std::lock_guard lock(mutex);
     const auto now = Clock::now();
-    return !ending || (now < end + kAtMost && now < std::max(end, progress) + kStalled);
+    return !ending || (now < end + kLongest && now < std::max(end, progress) + kStalled);
   }
 
   void run() {
@@ -119,9 +119,10 @@ struct TevClient::State {
       problem = error.what();
     }
     if (!problem.empty())
-      fmt::print(stderr,
-                 "laver: warning: display server {} port {}: {}; it has not all of the picture\n",
-                 address.host, address.port, problem);
+      fmt::print(
+          stderr,
+          "laver: warning: display server {} port {}: {}; it has only a part of the picture\n",
+          address.host, address.port, problem);
     const std::lock_guard lock(mutex);
     over = true;
     changed.notify_all();
@@ -151,7 +152,8 @@ struct TevClient::State {
     }
   }
 
-  /// Waits for rows and takes some that follow each other, `y` the first; none when all is over.
+  /// Waits for changed rows and takes some consecutive ones, the first of which is `y`; none at the
+  /// end.
   Image take(int& y) {
     std::unique_lock lock(mutex);
     std::size_t first = 0;
@@ -162,8 +164,8 @@ struct TevClient::State {
     Image rows;
     if (first >= waiting.size()) return rows;
     const std::size_t stride = static_cast<std::size_t>(latest.width) * latest.channels.size();
-    const std::size_t most = first + std::max<std::size_t>(kPacketFloats / stride, 1);
-    for (next = first; next < std::min(most, waiting.size()) && waiting[next]; ++next)
+    const std::size_t limit = first + std::max<std::size_t>(kPacketFloats / stride, 1);
+    for (next = first; next < std::min(limit, waiting.size()) && waiting[next]; ++next)
       waiting[next] = false;
     const auto at = [&](std::size_t row) {
       return latest.pixels.begin() + static_cast<std::ptrdiff_t>(row * stride);
@@ -176,7 +178,7 @@ struct TevClient::State {
     return rows;
   }
 
-  /// The first row that waits, from `next` on and then from the top; waiting.size() if none does.
+  /// The first waiting row, from `next` on and then from the top; waiting.size() if there is none.
   std::size_t firstWaiting() const {
     const std::size_t rows = waiting.size();
     for (std::size_t i = 0; i < rows; ++i)
@@ -196,9 +198,9 @@ TevClient::~TevClient() {
   state_->ending = true;
   state_->end = Clock::now();
   state_->changed.notify_all();
-  // The thread's own patience ends sooner, unless it is looking up a name.
-  const auto most = (state_->connected ? kAtMost : kStalled) + kStalled;
-  state_->changed.wait_for(lock, most, [&] { return state_->over; });
+  // patient() ends the thread sooner, unless it is looking up a name.
+  const auto longest = (state_->connected ? kLongest : kStalled) + kStalled;
+  state_->changed.wait_for(lock, longest, [&] { return state_->over; });
   const bool over = state_->over;
   lock.unlock();
   over ? thread_.join() : thread_.detach();

@@ -8,15 +8,14 @@
 
 namespace laver {
 
-/// Shows a growing picture in tev or HDRView, from a thread of its own. The newest values of all
-/// rows are kept, and a row that changes again before it was sent is sent once: nobody waits for a
-/// viewer. A viewer that cannot be reached or goes away costs one line on stderr.
+/// Shows a render in progress in tev or HDRView, from its own thread. Rows that change faster than
+/// the viewer takes them are sent once, with their newest values, so the render never waits for the
+/// viewer. A viewer that cannot be reached or disconnects costs one warning on stderr.
 class TevClient : public Observer {
  public:
-  /// `name` is what the viewer calls the picture.
+  /// `name` is the image's name in the viewer.
   TevClient(ViewerAddress address, std::string name);
-  /// Waits for the viewer to take what it has not: until it has taken nothing for 1 s, 10 s at
-  /// most.
+  /// Waits until the viewer has received the rest, at most 10 s, and at most 1 s without progress.
   ~TevClient() override;
   TevClient(const TevClient&) = delete;
   TevClient& operator=(const TevClient&) = delete;

@@ -6,8 +6,8 @@
 namespace laver {
 namespace {
 
-constexpr int kFewestSteps = -16, kMostSteps = 16;  // 1/256 to 256
-constexpr int kMostHalfStops = 64;
+constexpr int kMinSteps = -16, kMaxSteps = 16;  // 1/256 to 256
+constexpr int kMaxHalfStops = 64;
 
 }  // namespace
 
@@ -15,10 +15,10 @@ const char* viewKeys() {
   return "Keys:\n"
          "  drag               pan\n"
          "  wheel, + -         zoom about the cursor\n"
-         "  1, f               a pixel for a pixel, fit the window\n"
+         "  1, f               actual pixels, fit the window\n"
          "  e E                exposure up and down by half a stop\n"
-         "  n                  spread the layer's range over black to white, and back\n"
-         "  r                  as in the file again: exposure 0, not spread\n"
+         "  n                  stretch the layer's range to black to white, and back\n"
+         "  r                  reset the tone: exposure 0, not stretched\n"
          "  l L                next and previous layer\n"
          "  a b, space         picture A or B, flip\n"
          "  d                  difference in the false colours of laver compare\n"
@@ -29,18 +29,18 @@ double Placement::zoom() const { return std::exp2(0.5 * steps_); }
 
 void Placement::zoomAt(glm::dvec2 window, int steps) {
   const glm::dvec2 fixed = toPicture(window);
-  steps_ = std::clamp(steps_ + steps, kFewestSteps, kMostSteps);
+  steps_ = std::clamp(steps_ + steps, kMinSteps, kMaxSteps);
   offset_ = window - zoom() * fixed;
 }
 
 void Placement::centre(glm::ivec2 picture, glm::ivec2 window, bool fit) {
   steps_ = 0;
   if (fit) {
-    const glm::dvec2 most = glm::dvec2(window) / glm::dvec2(picture);
-    const double steps = std::floor(2.0 * std::log2(std::min(most.x, most.y)) + 1e-9);
-    steps_ = static_cast<int>(std::clamp(steps, double{kFewestSteps}, double{kMostSteps}));
+    const glm::dvec2 ratio = glm::dvec2(window) / glm::dvec2(picture);
+    const double steps = std::floor(2.0 * std::log2(std::min(ratio.x, ratio.y)) + 1e-9);
+    steps_ = static_cast<int>(std::clamp(steps, double{kMinSteps}, double{kMaxSteps}));
   }
-  // On whole pixels, so that a zoom of 1 shows each pixel as one.
+  // Whole pixels, so that at zoom 1 each image pixel covers one window pixel.
   offset_ = glm::floor(0.5 * (glm::dvec2(window) - zoom() * glm::dvec2(picture)));
 }
 
@@ -55,7 +55,7 @@ std::optional<glm::ivec2> pixelUnderCursor(const View& view, const ViewContext& 
 void type(View& view, char32_t character, const ViewContext& context) {
   using Mode = View::Mode;
   const auto expose = [&](int halfStops) {
-    view.halfStops = std::clamp(view.halfStops + halfStops, -kMostHalfStops, kMostHalfStops);
+    view.halfStops = std::clamp(view.halfStops + halfStops, -kMaxHalfStops, kMaxHalfStops);
   };
   switch (character) {
     case U'e':

@@ -15,7 +15,7 @@ using Names = std::vector<std::string>;
 
 struct Group {
   Names parts;
-  const char* name;  ///< without a prefix; with one it is the prefix
+  const char* name;  ///< of a layer without a prefix; else the prefix is the name
 };
 const std::array kGroups = {Group{{"R", "G", "B"}, "RGB"}, Group{{"X", "Y", "Z"}, "XYZ"},
                             Group{{"u", "v"}, "uv"}};
@@ -26,7 +26,7 @@ std::optional<std::size_t> place(const Names& channels, const std::string& name)
   return static_cast<std::size_t>(found - channels.begin());
 }
 
-/// The group that channel `i` is in, if all of it is there.
+/// The layer of channel `i`: its group if all of that is there, else the channel alone.
 ViewLayer layerOf(const Names& channels, std::size_t i) {
   const std::string& name = channels[i];
   const std::size_t dot = name.rfind('.');

@@ -7,18 +7,19 @@
 
 namespace laver {
 
-/// Channels that are shown together: three as red, green and blue, two as red and green, one grey.
+/// Channels that are displayed together: three as red, green and blue, two as red and green, one as
+/// grey.
 struct ViewLayer {
   std::string name;
-  std::vector<std::size_t> channels;  ///< places in the picture's
+  std::vector<std::size_t> channels;  ///< indices into the image's channels
 };
 
-/// Groups R G B, X Y Z and u v of one prefix ("N." of N.X); every other channel is by itself.
-/// In the order of the channels.
+/// Groups R G B, X Y Z and u v that share a prefix ("N." of N.X); every other channel is a layer of
+/// its own. In the order of the channels.
 std::vector<ViewLayer> viewLayers(const std::vector<std::string>& channels);
 
-/// Leaves both pictures with the channels that they share, in a's order. Throws Error(Usage) if
-/// their sizes differ or they share none.
+/// Reduces both images to the channels that they share, in a's order. Throws Error(Usage) if their
+/// sizes differ or they share none.
 void keepShared(Image& a, Image& b);
 
 }  // namespace laver

@@ -8,35 +8,35 @@
 
 namespace laver {
 
-/// What a window shows: a picture A, perhaps a B alike in size and channels, and how far the
-/// rendering of A is. A rendering thread may change it while a window reads.
+/// The images of a window: A, optionally B of the same size and channels, and the progress of the
+/// render of A. A rendering thread may change it while a window reads.
 class ViewedPictures {
  public:
   struct Rendering {
     std::string device;
-    double share = 0.0;  ///< that is done
+    double share = 0.0;  ///< of the samples, finished
     double seconds = 0.0;
     double samplesPerSecond = 0.0;
     bool over = false;
   };
-  /// Valid while a reader has it.
+  /// Valid only inside read().
   struct Contents {
     std::vector<std::string> names;
     std::vector<Image> images;
     Rendering rendering;
-    bool rendered = false;      ///< `rendering` means something
-    std::uint64_t changes = 0;  ///< how often the pictures have changed
+    bool rendered = false;      ///< `rendering` is valid
+    std::uint64_t changes = 0;  ///< number of changes of the images
   };
 
   void add(std::string name, Image image);
 
-  /// Takes rows [firstRow, endRow) of picture A.
+  /// Copies rows [firstRow, endRow) of picture A.
   void rowsChanged(const Image& picture, int firstRow, int endRow);
-  /// Picture A, other channels too.
+  /// Replaces picture A, including its channels.
   void replace(const Image& picture);
   void report(const Rendering& rendering);
 
-  /// Calls use(contents); the rendering thread waits meanwhile if it has news.
+  /// Calls use(contents), during which other threads that change the contents wait.
   template <class Use>
   auto read(const Use& use) const {
     const std::lock_guard lock(mutex_);

@@ -18,10 +18,10 @@ namespace laver {
 namespace {
 
 constexpr double kPollSeconds = 0.05;
-/// Of the time, for drawing what nobody but the rendering has changed.
-constexpr double kShare = 0.02;
-/// Dear ImGui settles a change in its second frame.
-constexpr int kFramesAnEvent = 2;
+/// Share of the time for redrawing when only the render has changed.
+constexpr double kRedrawShare = 0.02;
+/// Dear ImGui needs a second frame to settle after an event.
+constexpr int kFramesPerEvent = 2;
 
 [[noreturn]] void refuse() {
   const char* reason = nullptr;
@@ -48,7 +48,7 @@ struct Gui {
   explicit Gui(GLFWwindow* window) {
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
-    ImGui_ImplGlfw_InitForOpenGL(window, true);  // calls the callbacks there are, too
+    ImGui_ImplGlfw_InitForOpenGL(window, true);  // its callbacks call the earlier ones, too
     ImGui_ImplOpenGL3_Init("#version 130");
   }
   ~Gui() {
@@ -60,13 +60,14 @@ struct Gui {
   Gui& operator=(const Gui&) = delete;
 };
 
-/// Room for the picture pixel on pixel and the panel, as far as the screen has it.
+/// Opens a window with room for the image at zoom 1 and the panel, limited by the screen.
 WindowHandle openWindow(const std::string& title, glm::ivec2 picture) {
-  glm::ivec2 most(1280, 720), corner;
+  glm::ivec2 available(1280, 720), corner;
   if (GLFWmonitor* monitor = glfwGetPrimaryMonitor())
-    glfwGetMonitorWorkarea(monitor, &corner.x, &corner.y, &most.x, &most.y);
-  const glm::ivec2 least(800, 300 + kPanelHeight);
-  const glm::ivec2 size = glm::min(glm::max(picture + glm::ivec2(0, kPanelHeight), least), most);
+    glfwGetMonitorWorkarea(monitor, &corner.x, &corner.y, &available.x, &available.y);
+  const glm::ivec2 smallest(800, 300 + kPanelHeight);
+  const glm::ivec2 size =
+      glm::min(glm::max(picture + glm::ivec2(0, kPanelHeight), smallest), available);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 0);
   WindowHandle window(glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr));
@@ -90,8 +91,8 @@ class Window {
       if (frames_ > 0) {
         --frames_;
         draw();
-      } else if (news()) {
-        growing_.run([this] { draw(); });
+      } else if (redrawDue()) {
+        redraw_.run([this] { draw(); });
       }
       frames_ > 0 ? glfwPollEvents() : glfwWaitEventsTimeout(kPollSeconds);
     }
@@ -106,7 +107,7 @@ class Window {
 
   static Window& of(GLFWwindow* window) {
     auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(window));
-    self.frames_ = kFramesAnEvent;
+    self.frames_ = kFramesPerEvent;
     return self;
   }
 
@@ -128,7 +129,7 @@ class Window {
 
   void typed(char32_t character) {
     if (character == U'q') glfwSetWindowShouldClose(window_.get(), GLFW_TRUE);
-    pictures_.read([this](const auto& contents) { look(contents); });
+    pictures_.read([this](const auto& contents) { updateContext(contents); });
     type(view_, character, context_);
   }
 
@@ -138,21 +139,21 @@ class Window {
     cursor_ = cursor;
   }
 
-  /// Whether it is time to draw what the rendering has changed: at its end in any case.
-  bool news() const {
+  /// Whether to redraw because of the render: if it has changed and is due, or at its end.
+  bool redrawDue() const {
     return pictures_.read([this](const auto& contents) {
       const bool changed = contents.changes != changes_ || contents.rendering.seconds != seconds_;
-      return changed && (contents.rendering.over || growing_.due());
+      return changed && (contents.rendering.over || redraw_.due());
     });
   }
 
-  void look(const ViewedPictures::Contents& contents) {
+  void updateContext(const ViewedPictures::Contents& contents) {
     context_.layers = viewLayers(contents.images[0].channels).size();
     context_.two = contents.images.size() > 1;
     context_.cursor = cursor_;
   }
 
-  /// Puts the picture in the middle at first, and keeps what is there where the size changes.
+  /// Centres the image at first; keeps its centre when the window is resized.
   void place(const Image& picture, glm::ivec2 size) {
     const glm::ivec2 pixels(picture.width, picture.height);
     if (!view_.placed)
@@ -167,7 +168,7 @@ class Window {
   void draw() {
     glm::ivec2 size;
     glfwGetFramebufferSize(window_.get(), &size.x, &size.y);
-    if (size.x == 0 || size.y <= kPanelHeight) return;  // such as an icon
+    if (size.x == 0 || size.y <= kPanelHeight) return;  // minimised
     size.y -= kPanelHeight;
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
@@ -180,7 +181,7 @@ class Window {
 
   void drawContents(const ViewedPictures::Contents& contents, glm::ivec2 size) {
     const auto layers = viewLayers(contents.images[0].channels);
-    look(contents);
+    updateContext(contents);
     place(contents.images[0], size);
     const bool inside = cursor_.x < size.x && cursor_.y < size.y;
     drawPanel(contents, layers, inside ? pixelUnderCursor(view_, context_) : std::nullopt, size.x,
@@ -198,10 +199,10 @@ class Window {
   View view_;
   ViewContext context_;
   glm::dvec2 cursor_{-1.0};
-  int frames_ = kFramesAnEvent;  ///< to draw at once
-  std::uint64_t changes_ = 0;    ///< of the contents as they were drawn
+  int frames_ = kFramesPerEvent;  ///< still to draw at once
+  std::uint64_t changes_ = 0;     ///< of the contents that were drawn last
   double seconds_ = 0.0;
-  Throttle growing_{kShare};
+  Throttle redraw_{kRedrawShare};
 };
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 namespace laver {
 
-/// One descriptor set: its layout, pool and what is bound.
+/// One descriptor set with its layout and pool.
 class Bindings {
  public:
   /// `types[i]` is the descriptor type of binding i.

@@ -36,12 +36,12 @@ Handle<VkBuffer> createBuffer(const Device& device, VkBufferUsageFlags flags, Vk
 
 constexpr VkMemoryPropertyFlags kHost =
     VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
-// Larger transfers through staging are cut into pieces of this size.
+// Larger staging transfers are split into pieces of this size.
 constexpr VkDeviceSize kStagingBytes = VkDeviceSize{64} << 20;
 
-/// Memory of a device that is the processor comes page by page as it is first touched: 2.5 us for
-/// each of 4 KiB. Where the system does not give large pages it is as before.
-void askForLargePages(void* memory, std::size_t bytes) {
+/// A CPU device gets its memory page by page on first touch, at 2.5 us per 4 KiB page; huge pages
+/// avoid most of that. Only a hint: a refusal changes nothing.
+void requestHugePages(void* memory, std::size_t bytes) {
   constexpr std::size_t kPage = std::size_t{2} << 20;
   if (std::align(kPage, kPage, memory, bytes) != nullptr)
     ::madvise(memory, bytes / kPage * kPage, MADV_HUGEPAGE);
@@ -83,7 +83,7 @@ void Buffer::allocate(const Device& device, const char* what, VkMemoryPropertyFl
   VkDeviceMemory memory = VK_NULL_HANDLE;
   VkResult result = VK_ERROR_OUT_OF_DEVICE_MEMORY;
   int type = -1;
-  // A small window of host-visible device memory may be full where plain device memory is not.
+  // Host-visible device memory may be a small window that is full while plain device memory is not.
   for (const VkMemoryPropertyFlags flags : {preferred, required, VkMemoryPropertyFlags{0}}) {
     type = device.memoryType(needs.memoryTypeBits, flags);
     if (type < 0) continue;
@@ -100,7 +100,7 @@ void Buffer::allocate(const Device& device, const char* what, VkMemoryPropertyFl
     void* pointer = nullptr;
     check(vkMapMemory(device.get(), memory, 0, VK_WHOLE_SIZE, 0, &pointer), "vkMapMemory");
     mapped_ = static_cast<std::byte*>(pointer);
-    if (device.info().type == VK_PHYSICAL_DEVICE_TYPE_CPU) askForLargePages(mapped_, needs.size);
+    if (device.info().type == VK_PHYSICAL_DEVICE_TYPE_CPU) requestHugePages(mapped_, needs.size);
     cached_ = (device.memoryFlags(info.memoryTypeIndex) & VK_MEMORY_PROPERTY_HOST_CACHED_BIT) != 0;
   }
 }

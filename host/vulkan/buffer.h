@@ -7,17 +7,18 @@
 
 namespace laver {
 
-/// Bytes of a texel of the formats that laver uses.
+/// Size in bytes of a texel of a format that laver uses.
 VkDeviceSize texelBytes(VkFormat format);
 
-/// A buffer with memory of its own on the device; where the host can see that memory, transfers
-/// are plain copies, elsewhere they go through a staging buffer.
+/// A buffer with its own device memory. Transfers are plain copies where the host can see that
+/// memory, and go through a staging buffer elsewhere.
 class Buffer {
  public:
   enum class Use { Uniform, Texels, Storage, StorageTexels };
 
   Buffer() = default;
-  /// `bytes` above 0. Throws Error(Device) where a limit of the device or its memory is passed.
+  /// `bytes` > 0; `what` names the buffer in errors. Throws Error(Device) if a limit or the memory
+  /// of the device is exceeded.
   Buffer(const Device& device, const char* what, Use use, VkDeviceSize bytes);
 
   VkBuffer get() const { return buffer_.get(); }
@@ -27,7 +28,7 @@ class Buffer {
   void download(std::span<std::byte> data) const;
   void fillZero(VkDeviceSize from = 0) const { fill(0, from); }
   void fill(std::uint32_t word, VkDeviceSize from = 0) const;
-  /// The first `bytes`: in place where the host reads them at speed, else downloaded to `copy`.
+  /// The first `bytes`: a view of the memory if the host reads it fast, else downloaded to `copy`.
   std::span<const std::byte> contents(VkDeviceSize bytes, std::vector<std::byte>& copy) const;
 
   /// A view of the whole buffer as texels.
@@ -42,7 +43,7 @@ class Buffer {
   Handle<VkBuffer> buffer_;
   Handle<VkDeviceMemory> memory_;
   std::byte* mapped_ = nullptr;
-  bool cached_ = false;  ///< host memory that is not read past the processor's caches
+  bool cached_ = false;  ///< the host reads the memory through its caches
 
   struct Staging {};
   Buffer(const Device& device, Staging, VkDeviceSize bytes);

@@ -84,7 +84,7 @@ void Device::run(const std::function<void(VkCommandBuffer)>& record) const {
   VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
   begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
   check(vkBeginCommandBuffer(commands_, &begin), "vkBeginCommandBuffer");
-  // Earlier submissions' writes are visible to this one, and this one's to the host.
+  // Writes of earlier submissions become visible to this one, and this one's to the host.
   memoryBarrier(commands_, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT,
                 VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT);
   record(commands_);

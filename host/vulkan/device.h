@@ -13,7 +13,7 @@
 
 namespace laver {
 
-/// The device that `wanted` means, as chooseDevice says. Throws Error(Device).
+/// The physical device that matches `wanted`, by the rules of chooseDevice(). Throws Error(Device).
 VkPhysicalDevice choosePhysicalDevice(const Instance& instance, const std::string& wanted);
 
 /// A logical device with one compute queue.
@@ -36,10 +36,10 @@ class Device {
   int memoryType(std::uint32_t bits, VkMemoryPropertyFlags flags) const;
   VkMemoryPropertyFlags memoryFlags(std::uint32_t type) const;
 
-  /// Records commands, submits them and waits for their end. Threads take turns.
+  /// Records commands, submits them and waits until they are complete. Threads wait for each other.
   void run(const std::function<void(VkCommandBuffer)>& record) const;
 
-  /// Throws Error(Device) naming the limit, what was asked and what the device has.
+  /// Throws Error(Device) with the limit's name and both values if `wanted` exceeds `available`.
   static void requireLimit(const char* limit, std::uint64_t wanted, std::uint64_t available);
 
  private:

@@ -7,10 +7,11 @@
 
 namespace laver {
 
-/// A VkInstance of Vulkan 1.1. With `validate`, the Khronos layer's messages are kept.
+/// A VkInstance of Vulkan 1.1. With `validate`, it collects the messages of the Khronos validation
+/// layer.
 class Instance {
  public:
-  /// Throws Error(Device) without a loader or a driver, or without the layer that is asked for.
+  /// Throws Error(Device) if there is no loader, no driver, or with `validate` no validation layer.
   explicit Instance(bool validate);
   ~Instance();
   Instance(const Instance&) = delete;

@@ -10,7 +10,7 @@ namespace laver {
 /// A compute pipeline with its layout.
 class Kernel {
  public:
-  /// Hands SPIR-V to the driver, with push constants of `pushBytes`.
+  /// Compiles SPIR-V with the driver; `pushBytes` is the size of the push constants.
   Kernel(const Device& device, const Bindings& bindings, std::span<const std::uint32_t> spirv,
          std::uint32_t pushBytes);
 

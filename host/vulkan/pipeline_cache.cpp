@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The head of the file. Files do not travel between machines: numbers are in native order.
+/// Start of the file. Numbers are in native byte order, since a file is used on one machine only.
 struct Preface {
   char magic[8] = {'l', 'a', 'v', 'e', 'r', 'p', 'c', '1'};
   std::uint64_t size = 0;  ///< of the data that follow, bytes
@@ -27,10 +27,10 @@ struct Preface {
 };
 static_assert(sizeof(Preface) == 24);
 
-/// Larger caches are started anew.
+/// Larger caches are not written, and not read.
 constexpr std::uint64_t kMaxBytes = std::uint64_t{64} << 20;
 
-/// By the data's header (Vulkan, "Pipeline Cache Header"), which drivers need not check.
+/// Checks the data's header (Vulkan, "Pipeline Cache Header"), which drivers need not do.
 bool isOf(const VkPhysicalDeviceProperties& device, std::span<const std::byte> data) {
   VkPipelineCacheHeaderVersionOne header;
   if (data.size() < sizeof header) return false;

@@ -1,3 +1,3 @@
-// The one copy of volk's function table.
+// The only definition of volk's function table.
 #define VOLK_IMPLEMENTATION
 #include <volk.h>
