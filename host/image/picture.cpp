@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "core/error.h"
+#include "core/lfs_pointer.h"
 #include "image/io.h"
 
 namespace laver {
@@ -88,7 +89,8 @@ Picture readPicture(const std::string& file, bool raw) {
                        static_cast<std::size_t>(image.height));
       return colours(image);
     }
-    reason = "it is neither PNG, JPEG nor OpenEXR";
+    reason = isLfsPointer(text) ? std::string("it ") + kLfsPointer
+                                : "it is neither PNG, JPEG nor OpenEXR";
   } catch (const Error&) {
     throw;
   } catch (const std::bad_alloc&) {

@@ -3,6 +3,7 @@
 #include <new>
 
 #include "core/error.h"
+#include "core/lfs_pointer.h"
 #include "scene/mesh_files.h"
 #include "scene/node.h"
 #include "scene/reader.h"
@@ -26,6 +27,7 @@ namespace {
 
 LoadedScene load(const std::string& file, const SceneOverrides& overrides) {
   xml::FileText read = xml::readFile(file);
+  if (isLfsPointer(read.text)) read.problem = kLfsPointer;
   if (!read.problem.empty()) {
     throw Error(ExitCode::Scene, fmt::format("{}: error: {}", file, read.problem));
   }

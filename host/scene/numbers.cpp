@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::string_view kSpace = " \t\r\n\f\v";
 constexpr const char* kNotANumber = "is not a number";
+constexpr const char* kNotFinite = "is not a finite number";
 
 // std::from_chars takes no leading '+'.
 std::string_view withoutPlus(std::string_view text) {
@@ -45,12 +46,16 @@ Parsed<double> parseReal(std::string_view text) {
   double value = 0.0;
   const char* end = digits.data() + digits.size();
   const auto [stop, error] = std::from_chars(digits.data(), end, value);
+  const std::string_view rest(stop, static_cast<std::size_t>(end - stop));
+  if (rest.starts_with("#IND") || rest.starts_with("#INF") || rest.starts_with("#QNAN") ||
+      rest.starts_with("#SNAN"))
+    return {0.0, kNotFinite};  // as C libraries of Windows write it, behind "1."
   if (error == std::errc::invalid_argument || stop != end) return {0.0, kNotANumber};
   if (error == std::errc::result_out_of_range) {
     if (isTiny(digits)) return {0.0, nullptr};
     return {0.0, "is too large for a number"};
   }
-  if (!std::isfinite(value)) return {0.0, "is not a finite number"};
+  if (!std::isfinite(value)) return {0.0, kNotFinite};
   return {value, nullptr};
 }
 

@@ -7,6 +7,7 @@
 #include <exception>
 #include <stdexcept>
 
+#include "core/lfs_pointer.h"
 #include "scene/text_source.h"
 #include "scene/transform.h"
 
@@ -16,6 +17,9 @@ namespace {
 LoadResult loadOrThrow(const std::string& file) {
   LoadResult result;
   xml::FileText content = xml::readFile(file);
+  if (content.problem.empty() && content.text.find_first_not_of(" \t\r\n") == std::string::npos)
+    content.problem = "is empty, expected an OBJ file";
+  if (isLfsPointer(content.text)) content.problem = kLfsPointer;
   if (!content.problem.empty()) {
     result.problem = std::move(content.problem);
     return result;
@@ -50,6 +54,18 @@ bool hasNoArea(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   return cross == glm::dvec3(0.0);
 }
 
+void warnOfCrossing(ReadResult& result, const std::vector<std::size_t>& polygonLines) {
+  const std::vector<std::size_t>& crossing = result.data.crossing;
+  if (crossing.empty()) return;
+  const std::string others =
+      crossing.size() == 1 ? "" : fmt::format(", as do {} more", crossing.size() - 1);
+  result.warnings.push_back(
+      {polygonLines[crossing.front()],
+       fmt::format("the outline of this face crosses itself{}: it has no inside to fill, and parts "
+                   "may be covered twice or not at all",
+                   others)});
+}
+
 }  // namespace
 
 ReadResult read(std::string text, std::uint64_t maxIndices) {
@@ -57,6 +73,8 @@ ReadResult read(std::string text, std::uint64_t maxIndices) {
   if (const auto counts = scanPlain(text); counts && counts->max() <= maxIndices) {
     if (auto data = parse(text, *counts)) {
       result.data = std::move(*data);
+      if (!result.data.crossing.empty())
+        warnOfCrossing(result, check(std::move(text), maxIndices).polygonLines);
       return result;
     }
   }
@@ -68,6 +86,7 @@ ReadResult read(std::string text, std::uint64_t maxIndices) {
   auto data = parse(checked.text, checked.counts);
   if (!data) throw std::logic_error("the OBJ parser and the checker disagree");
   result.data = std::move(*data);
+  warnOfCrossing(result, checked.polygonLines);
   return result;
 }
 

@@ -20,11 +20,14 @@ struct ObjData {
   std::vector<glm::dvec3> normals;  ///< as the file gives them, of any length
   std::vector<glm::dvec2> uvs;
   std::vector<glm::uvec3> triangles;
+  /// Which of the polygons of five corners or more, counted from 0, cross themselves.
+  std::vector<std::size_t> crossing;
 };
 
 /// Number of statements of each kind in an OBJ text.
 struct Counts {
-  std::uint64_t positions = 0, uvs = 0, normals = 0, faces = 0;
+  std::uint64_t positions = 0, uvs = 0, normals = 0;
+  std::uint64_t faces = 0;    ///< of three corners or more
   std::uint64_t indices = 0;  ///< three per triangle after triangulation
   bool operator==(const Counts&) const = default;
   std::uint64_t max() const { return std::max({positions, uvs, normals, indices}); }
@@ -42,6 +45,7 @@ struct Checked {
   Counts counts;
   std::vector<Issue> errors;  ///< in file order, the first ten
   std::vector<Issue> warnings;
+  std::vector<std::size_t> polygonLines;  ///< of the polygons of five corners or more
 };
 
 /// Result of read().
@@ -74,14 +78,16 @@ inline constexpr std::array<std::string_view, 20> kIgnored = {
 std::optional<Counts> scanPlain(const std::string& text);
 
 /// Examines every word and finds all errors with their lines: tinyobjloader reads faulty numbers as
-/// 0 without a word. In the returned text, a byte order mark, comments behind data and the ends of
-/// continued lines are blank, and numbers that tinyobjloader would read wrong have another form.
-/// More than `maxIndices` vertices or triangle corners are an error.
+/// 0 without a word. In the returned text, a byte order mark, comments behind data, faces of fewer
+/// than three corners and the ends of continued lines are blank, and numbers and corners that
+/// tinyobjloader would read wrong have another form. More than `maxIndices` vertices or triangle
+/// corners are an error.
 Checked check(std::string text, std::uint64_t maxIndices = kMaxIndices);
 
 /// Parses a text by tinyobjloader. Polygons become triangles: a quad (a b c d) gives (a,b,c) and
-/// (d,a,c), larger ones a fan about the first corner. Nothing if the parser finds other counts than
-/// `expected` or an index out of range.
+/// (d,a,c), larger ones what triangulate() makes of them. Indices of texture coordinates and
+/// normals count as not given where the file has none at all. Nothing if the parser finds other
+/// counts than `expected` or an index out of range.
 std::optional<ObjData> parse(const std::string& text, const Counts& expected);
 
 /// Parses a plain text in one pass; any other is checked first. Throws std::logic_error if parser

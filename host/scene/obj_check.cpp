@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <charconv>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "scene/numbers.h"
 #include "scene/obj.h"
+#include "scene/obj_lines.h"
 #include "scene/text_source.h"
 
 namespace laver::obj {
@@ -14,101 +17,6 @@ namespace {
 constexpr std::size_t kMaxErrors = 10;
 constexpr std::array<const char*, 3> kKinds = {"vertex", "texture coordinate", "normal"};
 
-// Walks the lines of an OBJ text that hold data, split into words. Lines end with LF, CR LF or CR.
-// What tinyobjloader does not know is blanked in place: a byte order mark, comments behind data,
-// and the backslash and line end by which a line of data continues in the next.
-class Lines {
- public:
-  explicit Lines(std::string text) : text_(std::move(text)) {
-    if (text_.starts_with("\xEF\xBB\xBF")) text_.replace(0, 3, "   ");
-  }
-
-  // Goes to the next line that has words; false at the end.
-  bool next() {
-    words_.clear();
-    while (words_.empty() && nextBegin_ < text_.size()) {
-      begin_ = nextBegin_;
-      const std::size_t end = joinedLineEnd();
-      split(end);
-      nextBegin_ = end + 1;
-    }
-    return !words_.empty();
-  }
-
-  // The words of the line, the statement's name first.
-  const std::vector<std::string_view>& words() const { return words_; }
-  std::size_t offset() const { return begin_; }
-  std::size_t offsetOf(std::string_view word) const {
-    return static_cast<std::size_t>(word.data() - text_.data());
-  }
-
-  // Overwrites a word by a text that is not longer.
-  void replace(std::string_view word, std::string_view text) {
-    const auto place = text_.begin() + static_cast<std::ptrdiff_t>(offsetOf(word));
-    std::fill_n(std::copy(text.begin(), text.end(), place), word.size() - text.size(), ' ');
-  }
-
-  // The number of the line at an offset, from 1, as the original text counts them. Slow.
-  std::size_t lineOf(std::size_t offset) const {
-    std::size_t line = 1;
-    for (std::size_t i = 0; i < offset && i < text_.size(); ++i) {
-      const bool crLf = text_[i] == '\r' && i + 1 < text_.size() && text_[i + 1] == '\n';
-      if (text_[i] == '\n' || (text_[i] == '\r' && !crLf)) ++line;
-    }
-    const auto before = [&](std::size_t join) { return join < offset; };
-    return line + static_cast<std::size_t>(std::count_if(joins_.begin(), joins_.end(), before));
-  }
-
-  std::string takeText() && { return std::move(text_); }
-
- private:
-  std::size_t lineEnd(std::size_t from) const {
-    while (from < text_.size() && text_[from] != '\n' && text_[from] != '\r') ++from;
-    return from;
-  }
-
-  std::size_t joinedLineEnd() {
-    std::size_t end = lineEnd(begin_);
-    if (end == begin_ || end == text_.size() || text_[end - 1] != '\\') return end;
-    // Names of other statements may end in a backslash, and so may comments.
-    const std::size_t first = text_.find_first_not_of(" \t", begin_);
-    if (text_[first] != 'v' && text_[first] != 'f') return end;
-    const auto hasComment = [&] {
-      return std::string_view(text_).substr(begin_, end - begin_).find('#') != std::string::npos;
-    };
-    while (end < text_.size() && text_[end - 1] == '\\' && !hasComment()) {
-      const bool crLf = text_[end] == '\r' && end + 1 < text_.size() && text_[end + 1] == '\n';
-      joins_.push_back(end);
-      text_[end - 1] = text_[end] = ' ';
-      if (crLf) text_[end + 1] = ' ';
-      end = lineEnd(end);
-    }
-    return end;
-  }
-
-  void split(std::size_t end) {
-    for (std::size_t i = begin_; i < end;) {
-      if (text_[i] == ' ' || text_[i] == '\t') {
-        ++i;
-        continue;
-      }
-      if (text_[i] == '#') {
-        std::fill_n(text_.begin() + static_cast<std::ptrdiff_t>(i), end - i, ' ');
-        return;
-      }
-      const std::size_t start = i;
-      while (i < end && text_[i] != ' ' && text_[i] != '\t' && text_[i] != '#') ++i;
-      words_.push_back(std::string_view(text_).substr(start, i - start));
-    }
-  }
-
-  std::string text_;
-  std::size_t begin_ = 0;
-  std::size_t nextBegin_ = 0;
-  std::vector<std::size_t> joins_;  // offsets of blanked line ends
-  std::vector<std::string_view> words_;
-};
-
 class Checker {
  public:
   Checker(std::string text, std::uint64_t maxIndices)
@@ -116,12 +24,12 @@ class Checker {
 
   Checked run() && {
     while (!full() && lines_.next()) checkLine();
-    checkForwardIndices();
+    checkUnknown();
+    checkFarIndices();
     checkLimits();
-    if (unknown_ > 1) {
-      result_.warnings.back().message +=
-          fmt::format(", and so are {} more lines of unknown kinds", unknown_ - 1);
-    }
+    for (const Repeated* repeated : {&short_, &missing_[1], &missing_[2]}) warn(*repeated);
+    std::stable_sort(result_.warnings.begin(), result_.warnings.end(),
+                     [](const Issue& a, const Issue& b) { return a.line < b.line; });
     std::stable_sort(errors_.begin(), errors_.end(),
                      [](const Place& a, const Place& b) { return a.offset < b.offset; });
     for (Place& error : errors_) {
@@ -136,12 +44,28 @@ class Checker {
     std::size_t offset;
     std::string message;
   };
-  // An index beyond what was read before it; later lines may reach it.
-  struct ForwardIndex {
+  // An index beyond what was read before it; later lines may reach it. Back from the first of a
+  // list it can reach nothing, but the list may stay empty.
+  struct FarIndex {
     std::size_t offset;
     std::size_t kind;  // of kKinds
     std::int64_t index;
   };
+  // What is warned of once, with the number of places.
+  struct Repeated {
+    std::size_t line = 0;  // of the first
+    std::string message;   // with a place for the number
+    std::uint64_t count = 0;
+  };
+
+  static void note(Repeated& repeated, std::size_t line, const char* message) {
+    if (repeated.count++ == 0) repeated = {line, message, 1};
+  }
+  void warn(const Repeated& repeated) {
+    if (repeated.count == 0) return;
+    result_.warnings.push_back(
+        {repeated.line, fmt::format(fmt::runtime(repeated.message), repeated.count)});
+  }
 
   std::int64_t countOf(std::size_t kind) const {
     const Counts& c = result_.counts;
@@ -168,11 +92,25 @@ class Checker {
     } else if (statement == "f") {
       checkFace();
     } else if (std::find(kIgnored.begin(), kIgnored.end(), statement) == kIgnored.end()) {
-      if (unknown_++ > 0) return;
-      result_.warnings.push_back(
-          {lines_.lineOf(lines_.offset()),
-           fmt::format("unknown statement {} is ignored", xml::inQuotes(statement))});
+      if (unknown_++ == 0) firstUnknown_ = {lines_.offset(), xml::inQuotes(statement)};
     }
+  }
+
+  // A text of unknown statements alone is another file under a wrong name.
+  void checkUnknown() {
+    if (unknown_ == 0) return;
+    const auto& [offset, statement] = firstUnknown_;
+    if (result_.counts.max() == 0 && short_.count == 0) {
+      error(offset, fmt::format("{} is no statement of OBJ, and no line of the file is a vertex or "
+                                "a face",
+                                statement));
+      return;
+    }
+    const std::string more =
+        unknown_ == 1 ? ""
+                      : fmt::format(", and so are {} more lines of unknown kinds", unknown_ - 1);
+    result_.warnings.push_back(
+        {lines_.lineOf(offset), fmt::format("unknown statement {} is ignored{}", statement, more)});
   }
 
   void checkNumbers(std::size_t min, std::size_t max) {
@@ -208,66 +146,91 @@ class Checker {
   void checkFace() {
     const auto& words = lines_.words();
     const std::size_t count = words.size() - 1;
-    ++result_.counts.faces;
-    if (count < 3) {
-      error(lines_.offset(), fmt::format("a face takes 3 corners or more, found {}", count));
-    } else {
-      result_.counts.indices += 3 * (count - 2);
-    }
     for (std::size_t i = 1; i < words.size(); ++i) checkCorner(words[i]);
+    if (count < 3) {
+      note(short_, lines_.line(), "faces of fewer than 3 corners are skipped: {} in this file");
+      for (const std::string_view word : words) lines_.replace(word, "");
+      return;
+    }
+    ++result_.counts.faces;
+    result_.counts.indices += 3 * (count - 2);
+    if (count > 4) result_.polygonLines.push_back(lines_.line());
   }
 
+  // v/vt/vn, of which vt and vn may be empty or 0, as Cinema 4D writes, or missing with their
+  // slash.
   void checkCorner(std::string_view corner) {
     const std::size_t offset = lines_.offsetOf(corner);
+    std::array<std::string_view, 3> parts;
+    std::array<bool, 3> given{};
     std::string_view rest = corner;
-    bool good = takeIndex(offset, rest, 0);
-    if (good && rest.starts_with("//")) {
-      rest.remove_prefix(2);
-      good = takeIndex(offset, rest, 2);
-    } else if (good && rest.starts_with('/')) {
-      rest.remove_prefix(1);
-      good = takeIndex(offset, rest, 1);
-      if (good && rest.starts_with('/')) {
-        rest.remove_prefix(1);
-        good = takeIndex(offset, rest, 2);
+    for (std::size_t kind = 0; kind < parts.size(); ++kind) {
+      const std::size_t slash = std::min(rest.find('/'), rest.size());
+      parts[kind] = rest.substr(0, slash);
+      const bool last = slash == rest.size() || kind + 1 == parts.size();
+      const auto index = indexOf(parts[kind]);
+      if ((!index && (kind == 0 || !parts[kind].empty())) || (last && slash != rest.size())) {
+        error(offset, fmt::format("{} is not a corner, expected v, v/vt, v//vn or v/vt/vn",
+                                  xml::inQuotes(corner)));
+        return;
       }
+      given[kind] = index.value_or(0) != 0;
+      if (given[kind] || kind == 0) checkIndex(offset, kind, *index);
+      if (last) break;
+      rest.remove_prefix(slash + 1);
     }
-    if (good && rest.empty()) return;
-    error(offset, fmt::format("{} is not a corner, expected v, v/vt, v//vn or v/vt/vn",
-                              xml::inQuotes(corner)));
+    if (corner.ends_with('/') || !(given[1] || parts[1].empty()) || !(given[2] || parts[2].empty()))
+      lines_.replace(corner, fmt::format("{}{}{}{}{}", parts[0], given[1] || given[2] ? "/" : "",
+                                         given[1] ? parts[1] : "", given[2] ? "/" : "",
+                                         given[2] ? parts[2] : ""));
   }
 
-  // Removes an index from the front of `rest`; false if there is none.
-  bool takeIndex(std::size_t offset, std::string_view& rest, std::size_t kind) {
+  // An index that 64 bits do not hold is out of every range.
+  static std::optional<std::int64_t> indexOf(std::string_view text) {
     std::int64_t index = 0;
-    const auto [stop, fault] = std::from_chars(rest.data(), rest.data() + rest.size(), index);
-    if (fault == std::errc::invalid_argument) return false;
+    const auto [stop, fault] = std::from_chars(text.data(), text.data() + text.size(), index);
+    if (fault == std::errc::invalid_argument || stop != text.data() + text.size())
+      return std::nullopt;
     if (fault == std::errc::result_out_of_range) {
-      index = rest[0] == '-' ? std::numeric_limits<std::int64_t>::min()
+      index = text[0] == '-' ? std::numeric_limits<std::int64_t>::min()
                              : std::numeric_limits<std::int64_t>::max();
     }
-    rest.remove_prefix(static_cast<std::size_t>(stop - rest.data()));
-    checkIndex(offset, kind, index);
-    return true;
+    return index;
   }
 
   void checkIndex(std::size_t offset, std::size_t kind, std::int64_t index) {
     const std::int64_t soFar = countOf(kind);
     if (index == 0) {
       error(offset, fmt::format("{} index 0, OBJ counts from 1", kKinds[kind]));
+    } else if (index > soFar || (index < 0 && soFar == 0 && kind != 0)) {
+      far_.push_back({offset, kind, index});
     } else if (index < -soFar) {
-      error(offset, fmt::format("{} index {} goes back too far, there are {} so far", kKinds[kind],
-                                index, soFar));
-    } else if (index > soFar) {
-      forward_.push_back({offset, kind, index});
+      tooFarBack(offset, kind, index, soFar);
     }
   }
 
-  void checkForwardIndices() {
-    for (const ForwardIndex& f : forward_) {
-      if (f.index <= countOf(f.kind)) continue;
-      error(f.offset, fmt::format("{} index {} is out of range, the file has {}", kKinds[f.kind],
-                                  f.index, countOf(f.kind)));
+  void tooFarBack(std::size_t offset, std::size_t kind, std::int64_t index, std::int64_t soFar) {
+    error(offset, fmt::format("{} index {} goes back too far, there are {} so far", kKinds[kind],
+                              index, soFar));
+  }
+
+  // Without texture coordinates or normals in the file, corners that name them do without, as in
+  // Nori and Blender.
+  void checkFarIndices() {
+    constexpr std::array<const char*, 3> kMissing = {
+        "", "{} corners name texture coordinates, of which the file has none: they get none",
+        "{} corners name normals, of which the file has none: the geometric normal is used"};
+    for (const FarIndex& far : far_) {
+      const std::int64_t count = countOf(far.kind);
+      if (count == 0 && far.kind != 0) {
+        Repeated& missing = missing_[far.kind];
+        note(missing, missing.count == 0 ? lines_.lineOf(far.offset) : 0, kMissing[far.kind]);
+      } else if (far.index < 0) {
+        tooFarBack(far.offset, far.kind, far.index, 0);
+      } else if (far.index > count) {
+        error(far.offset, fmt::format("{} index {} is out of range, the file has {}",
+                                      kKinds[far.kind], far.index, count));
+      }
     }
   }
 
@@ -283,8 +246,11 @@ class Checker {
   std::uint64_t maxIndices_;
   Checked result_;
   std::vector<Place> errors_;
-  std::vector<ForwardIndex> forward_;
-  std::uint64_t unknown_ = 0;
+  std::vector<FarIndex> far_;
+  Repeated short_;                                    // faces
+  std::array<Repeated, 3> missing_;                   // lists, by kind
+  std::uint64_t unknown_ = 0;                         // statements
+  std::pair<std::size_t, std::string> firstUnknown_;  // its offset and name
 };
 
 }  // namespace
@@ -292,7 +258,7 @@ class Checker {
 Checked check(std::string text, std::uint64_t maxIndices) {
   if (const std::size_t nul = text.find('\0'); nul != std::string::npos) {
     const std::size_t line = Lines(std::move(text)).lineOf(nul);
-    return {{}, {}, {{line, "a NUL byte, expected a text file"}}, {}};
+    return {{}, {}, {{line, "a NUL byte, expected a text file"}}, {}, {}};
   }
   return Checker(std::move(text), maxIndices).run();
 }

@@ -8,143 +8,10 @@
 #include <streambuf>
 
 #include "scene/obj.h"
+#include "scene/polygon.h"
 
 namespace laver::obj {
 namespace {
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-bool isBlank(char c) { return c == ' ' || c == '\t'; }
-bool isLineEnd(char c) { return c == '\n' || c == '\r' || c == '\0'; }
-bool isWordEnd(char c) { return isBlank(c) || isLineEnd(c); }
-
-// Accepts texts by their grammar alone. Every loop stops at the string's closing NUL.
-class PlainScan {
- public:
-  explicit PlainScan(const std::string& text) : at_(text.data()), end_(at_ + text.size()) {}
-
-  std::optional<Counts> run() {
-    while (at_ < end_) {
-      skipBlanks();
-      if (!scanLine()) return std::nullopt;
-      if (at_ < end_) ++at_;
-    }
-    return counts_;
-  }
-
- private:
-  void skipBlanks() {
-    while (isBlank(*at_)) ++at_;
-  }
-
-  std::size_t skipDigits() {
-    const char* begin = at_;
-    while (isDigit(*at_)) ++at_;
-    return static_cast<std::size_t>(at_ - begin);
-  }
-
-  // Goes to the end of the line.
-  bool scanLine() {
-    if (at_[0] == 'v' && isBlank(at_[1])) {
-      ++at_;
-      ++counts_.positions;
-      return scanNumbers(3, 8);  // weight and colour may follow
-    }
-    if (at_[0] == 'f' && isBlank(at_[1])) {
-      ++at_;
-      return scanFace();
-    }
-    if (at_[0] == 'v' && at_[1] == 'n' && isBlank(at_[2])) {
-      at_ += 2;
-      ++counts_.normals;
-      return scanNumbers(3, 3);
-    }
-    if (at_[0] == 'v' && at_[1] == 't' && isBlank(at_[2])) {
-      at_ += 2;
-      ++counts_.uvs;
-      return scanNumbers(1, 3);
-    }
-    return scanIgnored();
-  }
-
-  // Empty lines, comments, and statements whose arguments do not matter. A backslash at the end may
-  // continue a line.
-  bool scanIgnored() {
-    const char* begin = at_;
-    while (!isLineEnd(*at_)) ++at_;
-    if (at_ == begin || *begin == '#') return true;
-    const std::string_view line(begin, at_);
-    const std::string_view statement = line.substr(0, line.find_first_of(" \t#"));
-    return line.back() != '\\' &&
-           std::find(kIgnored.begin(), kIgnored.end(), statement) != kIgnored.end();
-  }
-
-  bool scanNumbers(int min, int max) {
-    int count = 0;
-    for (skipBlanks(); !isLineEnd(*at_); skipBlanks()) {
-      if (!scanNumber()) return false;
-      ++count;
-    }
-    return count >= min && count <= max;
-  }
-
-  // Numbers that neither overflow nor lose all digits: at most 24 characters (the longest shortest
-  // form of a double), and exponents of two digits, or three of which the first is 0.
-  bool scanNumber() {
-    const char* begin = at_;
-    if (*at_ == '+' || *at_ == '-') ++at_;
-    std::size_t digits = skipDigits();
-    if (*at_ == '.') {
-      ++at_;
-      digits += skipDigits();
-    }
-    if (digits == 0) return false;
-    if (*at_ == 'e' || *at_ == 'E') {
-      ++at_;
-      if (*at_ == '+' || *at_ == '-') ++at_;
-      const char first = *at_;
-      const std::size_t exponent = skipDigits();
-      if (exponent == 0 || exponent > 3 || (exponent == 3 && first != '0')) return false;
-    }
-    return isWordEnd(*at_) && at_ - begin <= 24;
-  }
-
-  bool scanFace() {
-    std::uint64_t count = 0;
-    for (skipBlanks(); !isLineEnd(*at_); skipBlanks()) {
-      if (!scanCorner()) return false;
-      ++count;
-    }
-    if (count < 3) return false;
-    ++counts_.faces;
-    counts_.indices += 3 * (count - 2);
-    return true;
-  }
-
-  // v, v/vt, v//vn or v/vt/vn
-  bool scanCorner() {
-    if (!scanIndex()) return false;
-    if (*at_ != '/') return isWordEnd(*at_);
-    ++at_;
-    if (*at_ != '/') {
-      if (!scanIndex()) return false;
-      if (*at_ != '/') return isWordEnd(*at_);
-    }
-    ++at_;
-    return scanIndex() && isWordEnd(*at_);
-  }
-
-  // Not 0, which tinyobjloader does not tell from a missing index, and within 32 bits.
-  bool scanIndex() {
-    if (*at_ == '-') ++at_;
-    if (*at_ == '0') return false;
-    const std::size_t digits = skipDigits();
-    return digits >= 1 && digits <= 9;
-  }
-
-  const char* at_;
-  const char* end_;
-  Counts counts_;
-};
 
 // Reads a string without copying it.
 class ViewBuffer : public std::streambuf {
@@ -207,14 +74,15 @@ class Builder {
       if (anyUv) data_.uvs.push_back(pick(uvs_, corner.vt, glm::dvec2(0.0)));
       if (anyNormal) data_.normals.push_back(pick(normals_, corner.vn, glm::dvec3(0.0)));
     }
+    cutPolygons();
     return std::move(data_);
   }
 
  private:
   // From the file's index, which counts from 1, or back from what was read so far if negative; 0:
-  // not given.
+  // not given, as where the file has none.
   int absolute(int index, std::size_t soFar, std::uint64_t count) {
-    if (index == 0) return -1;
+    if (index == 0 || count == 0) return -1;
     const std::int64_t result =
         index < 0 ? static_cast<std::int64_t>(soFar) + index : std::int64_t{index} - 1;
     if (result < 0 || result >= static_cast<std::int64_t>(count)) indexOutOfRange_ = true;
@@ -247,8 +115,28 @@ class Builder {
       data_.triangles.emplace_back(face_[3], face_[0], face_[2]);
       return;
     }
+    if (count > 4) polygons_.push_back({data_.triangles.size(), face_.size()});
     for (std::size_t i = 2; i < face_.size(); ++i) {
       data_.triangles.emplace_back(face_[0], face_[i - 1], face_[i]);
+    }
+  }
+
+  // Polygons are fans until all vertices are known, which may come after them.
+  void cutPolygons() {
+    std::vector<unsigned> ring;
+    std::vector<glm::dvec3> corners;
+    for (std::size_t i = 0; i < polygons_.size(); ++i) {
+      const auto [first, count] = polygons_[i];
+      ring = {data_.triangles[first].x, data_.triangles[first].y};
+      for (std::size_t t = first; t < first + count - 2; ++t) ring.push_back(data_.triangles[t].z);
+      corners.clear();
+      for (const unsigned corner : ring) corners.push_back(data_.positions[corner]);
+      const Triangulation cut = triangulate(corners);
+      std::transform(
+          cut.triangles.begin(), cut.triangles.end(),
+          data_.triangles.begin() + static_cast<std::ptrdiff_t>(first),
+          [&](const glm::uvec3& t) { return glm::uvec3(ring[t.x], ring[t.y], ring[t.z]); });
+      if (cut.crossesItself) data_.crossing.push_back(i);
     }
   }
 
@@ -258,17 +146,16 @@ class Builder {
   std::vector<Corner> corners_;
   std::vector<int> firstCorner_;  // by v
   std::vector<unsigned> face_;
+  struct Polygon {
+    std::size_t firstTriangle, corners;
+  };
+  std::vector<Polygon> polygons_;  // of five corners or more
   std::uint64_t faces_ = 0;
   bool indexOutOfRange_ = false;
   ObjData data_;
 };
 
 }  // namespace
-
-std::optional<Counts> scanPlain(const std::string& text) {
-  if (text.find('\0') != std::string::npos) return std::nullopt;
-  return PlainScan(text).run();
-}
 
 std::optional<ObjData> parse(const std::string& text, const Counts& expected) {
   ViewBuffer buffer(text);

@@ -34,7 +34,12 @@ TEST_P(ObjCheck, FindsTheLine) {
 
 const std::vector<Case> kCases = {
     {"zero_index", kV + "f 0 1 2\n", {"4: vertex index 0, OBJ counts from 1"}},
-    {"zero_normal", kV + "vn 0 0 1\nf 1//0 2//1 3//1\n", {"5: normal index 0, OBJ counts from 1"}},
+    {"normal_out_of_range",
+     kV + "vn 0 0 1\nf 1//-2 2//1 3//1\n",
+     {"5: normal index -2 goes back too far, there are 1 so far"}},
+    {"back_to_later_normals",
+     kV + "f 1//-1 2//1 3//1\nvn 0 0 1\n",
+     {"4: normal index -1 goes back too far, there are 0 so far"}},
     {"index_too_large", kV + "\nf 1 2 4\n", {"5: vertex index 4 is out of range, the file has 3"}},
     {"index_huge",
      kV + "f 1 2 99999999999999999999\n",
@@ -59,20 +64,18 @@ const std::vector<Case> kCases = {
     {"index_with_a_point",
      kV + "f 1 2 3.0\n",
      {"4: \"3.0\" is not a corner, expected v, v/vt, v//vn or v/vt/vn"}},
-    {"slash_at_the_end",
-     kV + "f 1/ 2 3\n",
-     {"4: \"1/\" is not a corner, expected v, v/vt, v//vn or v/vt/vn"}},
-    {"two_slashes_at_the_end",
-     kV + "f 1// 2 3\n",
-     {"4: \"1//\" is not a corner, expected v, v/vt, v//vn or v/vt/vn"}},
     {"slash_first",
      kV + "f /1 2 3\n",
      {"4: \"/1\" is not a corner, expected v, v/vt, v//vn or v/vt/vn"}},
     {"four_parts",
      kV + "vt 0 0\nvn 0 0 1\nf 1/1/1/1 2 3\n",
      {"6: \"1/1/1/1\" is not a corner, expected v, v/vt, v//vn or v/vt/vn"}},
-    {"two_corners", kV + "f 1 2\n", {"4: a face takes 3 corners or more, found 2"}},
-    {"no_corners", kV + "f\n", {"4: a face takes 3 corners or more, found 0"}},
+    {"four_parts_of_which_three_are_empty",
+     kV + "f 1/// 2 3\n",
+     {"4: \"1///\" is not a corner, expected v, v/vt, v//vn or v/vt/vn"}},
+    {"nan_of_windows", kV + "vn -1.#IND 0 1\n", {"4: \"-1.#IND\" is not a finite number"}},
+    {"infinity_of_windows", "v 0 1.#INF00 1\n", {"1: \"1.#INF00\" is not a finite number"}},
+    {"comment_in_a_word", "v 0 0 0#a\n", {"1: \"0#a\" is not a number"}},
     {"nan", "v 0 nan 0\n", {"1: \"nan\" is not a finite number"}},
     {"infinite", "vn 0 -inf 0\n", {"1: \"-inf\" is not a finite number"}},
     {"overflow", "v 0 0 1e400\n", {"1: \"1e400\" is too large for a number"}},
@@ -88,12 +91,56 @@ const std::vector<Case> kCases = {
     {"nul", std::string("v 0 0 0\n\0", 9), {"2: a NUL byte, expected a text file"}},
     {"line_behind_joined_ones",
      "v 0 \\\n 0 0\r\nv 1 \\\r\n0 x\nf 0\n",
-     {"4: \"x\" is not a number", "5: a face takes 3 corners or more, found 1",
-      "5: vertex index 0, OBJ counts from 1"}},
+     {"4: \"x\" is not a number", "5: vertex index 0, OBJ counts from 1"}},
     {"old_line_ends", "v 0 0 0\rv 0 0 x\r", {"2: \"x\" is not a number"}},
 };
 const auto kName = [](const auto& info) { return std::string(info.param.name); };
 INSTANTIATE_TEST_SUITE_P(Faults, ObjCheck, testing::ValuesIn(kCases), kName);
+
+// Another renderer's file, a web page in place of one, ...
+TEST(ObjCheckKinds, TextWithoutAVertexOrAFaceIsNoObjFile) {
+  EXPECT_EQ(
+      lines(obj::read("# a\n<html>\n<p>404</p>\n").errors),
+      (std::vector<std::string>{"2: \"<html>\" is no statement of OBJ, and no line of the file "
+                                "is a vertex or a face"}));
+  EXPECT_TRUE(obj::read("# exported\no nothing\n").errors.empty());
+}
+
+TEST(ObjCheckKinds, FacesOfFewCornersAreSkippedAndCounted) {
+  const auto result = obj::read(kV + "f 1 2\nf 1 2 3\nf 3\nf\n");
+  EXPECT_EQ(lines(result.warnings),
+            (std::vector<std::string>{"4: faces of fewer than 3 corners are skipped: 3 in this "
+                                      "file"}));
+  EXPECT_EQ(result.data.triangles, (std::vector<glm::uvec3>{{0, 1, 2}}));
+}
+
+TEST(ObjCheckKinds, ListsThatTheFileDoesNotHaveAreWarnedOf) {
+  const auto result = obj::read(kV + "f 1//1 2//2 3//-1\nf 1/7/1 2/8/1 3/99999999999999999999/1\n");
+  EXPECT_TRUE(result.errors.empty());
+  EXPECT_EQ(
+      lines(result.warnings),
+      (std::vector<std::string>{
+          "4: 6 corners name normals, of which the file has none: the geometric normal is used",
+          "5: 3 corners name texture coordinates, of which the file has none: they get none"}));
+  EXPECT_EQ(result.data.triangles, (std::vector<glm::uvec3>{{0, 1, 2}, {0, 1, 2}}));
+  EXPECT_TRUE(result.data.normals.empty());
+  EXPECT_TRUE(result.data.uvs.empty());
+}
+
+TEST(ObjCheckKinds, PolygonsThatCrossThemselvesAreWarnedOf) {
+  const std::string star =
+      "v 0 1 0\nv -.6 -.8 0\nv .95 .3 0\nv -.95 .3 0\nv .6 -.8 0\n"
+      "f 1 2 3\n";
+  const std::string message =
+      "the outline of this face crosses itself, as do 1 more: it has no inside to fill, and parts "
+      "may be covered twice or not at all";
+  const std::string plain = star + "\nf 1 2 3 4 5\nf 5 4 3 2 1\n";
+  EXPECT_EQ(lines(obj::read(plain).warnings), (std::vector<std::string>{"8: " + message}));
+  const std::string joined = star + "f 1 2 \\\r\n 3\r\nf 1 2\nf 1 2 3 \\\n4 5 # a\nf 5 4 3 2 1\n";
+  EXPECT_EQ(lines(obj::read(joined).warnings),
+            (std::vector<std::string>{
+                "9: faces of fewer than 3 corners are skipped: 1 in this file", "10: " + message}));
+}
 
 TEST(ObjCheckLimits, TenErrorsAreEnough) {
   std::string text;

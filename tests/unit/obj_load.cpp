@@ -79,6 +79,42 @@ TEST(ObjLoad, MissingAttributesOfSomeCornersAreZero) {
   EXPECT_EQ(data.uvs[1], glm::dvec2(1));
 }
 
+TEST(ObjLoad, EmptyPartsAndPart0AreNotGiven) {
+  const std::string rest = "vt .25 .5\nvn 0 0 2\n";
+  const auto bare = parsed(kPoints + rest + "f 1/ 2// 3/0\nf 1//0 2/0/0 3\n");
+  EXPECT_EQ(bare.triangles, (Triangles{{0, 1, 2}, {0, 1, 2}}));
+  EXPECT_TRUE(bare.uvs.empty());
+  EXPECT_TRUE(bare.normals.empty());
+  const auto some = parsed(kPoints + rest + "f 1/1/ 2/1/0 3/1\nf 1/0/1 2//1 3//-1\n");
+  EXPECT_EQ(some.triangles, (Triangles{{0, 1, 2}, {3, 4, 5}}));
+  EXPECT_EQ(some.uvs.at(0), glm::dvec2(.25, .5));
+  EXPECT_EQ(some.uvs.at(3), glm::dvec2(0));
+  EXPECT_EQ(some.normals.at(0), glm::dvec3(0));
+  EXPECT_EQ(some.normals.at(3), glm::dvec3(0, 0, 2));
+}
+
+TEST(ObjLoad, ConcavePolygonsAreCutInTheirPlane) {
+  // An L in the plane y = 2, whose fan from any corner but one covers ground outside.
+  const std::string points = "v 0 2 0\nv 0 2 2\nv 1 2 2\nv 1 2 1\nv 2 2 1\nv 2 2 0\n";
+  const auto before = parsed(points + "f 3 4 5 6 1 2\n");
+  const auto after = parsed("f 3 4 5 6 1 2\n" + points);
+  EXPECT_EQ(before.triangles, after.triangles);
+  ASSERT_EQ(before.triangles.size(), 4u);
+  double area = 0.0;
+  for (const glm::uvec3& t : before.triangles) {
+    const auto& p = before.positions;
+    const double y = glm::cross(p[t.y] - p[t.x], p[t.z] - p[t.x]).y;
+    EXPECT_GE(y, 0.0) << "winds as the face does";
+    area += y / 2.0;
+  }
+  EXPECT_DOUBLE_EQ(area, 3.0);
+}
+
+TEST(ObjLoad, ConcaveQuadsStayAsNoriSplitsThem) {
+  EXPECT_EQ(parsed("v 0 0 0\nv 2 0 0\nv .5 .5 0\nv 0 2 0\nf 2 3 4 1\n").triangles,
+            (Triangles{{0, 1, 2}, {3, 0, 2}}));
+}
+
 TEST(ObjLoad, NegativeIndicesCountBackFromTheirLine) {
   const auto data = parsed("v 0 0 0\nv 1 0 0\nv 2 1 0\nf -3 -2 -1\nv 3 3 3\nf -1 -4 2\n");
   EXPECT_EQ(data.triangles, (Triangles{{0, 1, 2}, {3, 0, 1}}));
@@ -96,7 +132,7 @@ TEST(ObjLoad, LayoutOfTheText) {
   EXPECT_EQ(parsed("\xEF\xBB\xBFv 7 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3").positions.at(0).x, 7.0);
   EXPECT_EQ(parsed(" \tv  0 0\t0 \nv 1 0 0\nv 0 1 0 1.0\n  f\t1  2 3 \n").triangles.size(), 1u);
   const auto comments = parsed(
-      "v 0 0 0 # a\nv 1 0 0#b\n"
+      "v 0 0 0 # a\nv 1 0 0\t#b\n"
       "v 0 1 0\n#v 9 9 9\nf 1 2 3 # c \\\nf 3 2 1\n");
   EXPECT_EQ(comments.triangles.size(), 2u);
   const auto joined = parsed("v 0 \\\n0 0\nv 1 0 \\\r\n0\nv 0 1 0\nf 1 \\\n 2 3\nf 3 2 1\n");
@@ -162,13 +198,17 @@ TEST_P(ObjMisread, IsCheckedFirst) {
 
 const std::vector<Text> kMisread = {
     {"comment_behind_a_face", kPoints + "f 1 2 3 # 4\n"},
-    {"comment_behind_a_vertex", "v 0 0 0#0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+    {"comment_behind_a_vertex", "v 0 0 0 #0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
     {"byte_order_mark", "\xEF\xBB\xBF" + kPoints + "f 1 2 3\n"},
     {"continued_face", kPoints + "f 1 2 \\\n3\n"},
     {"continued_ignored_line", kPoints + "vp 1 \\\nv 1 2 3\nf 1 2 3\n"},
     {"exponent_that_makes_nan", "v 0e999 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
     {"exponent_that_overflows", "v 1e-2147483648 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
     {"long_number", "v 1.00000000000000000000000 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\n"},
+    {"empty_parts", kPoints + "vt 0 0\nf 1/1/ 2// 3/\n"},
+    {"part_0", kPoints + "vt 0 0\nf 1/1/0 2/0 3/0/0\n"},
+    {"list_not_there", kPoints + "f 1//1 2//2 3//3\n"},
+    {"face_of_two_corners", kPoints + "f 1 2\nf 1 2 3\n"},
     {"unknown_statement", "hello\n" + kPoints + "f 1 2 3\n"},
 };
 INSTANTIATE_TEST_SUITE_P(Texts, ObjMisread, testing::ValuesIn(kMisread), kName);

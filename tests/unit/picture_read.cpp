@@ -171,5 +171,10 @@ TEST(PictureRead, WhatIsNoPicture) {
   expectError(ExitCode::Usage, "it is a folder", [&] { readPicture(folder.path("."), false); });
 }
 
+TEST(PictureRead, APointerOfGitLfsIsNamedAsOne) {
+  expectError(ExitCode::Usage, "it is a pointer of Git LFS",
+              [] { read("version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n"); });
+}
+
 }  // namespace
 }  // namespace laver::test

@@ -66,8 +66,29 @@ TEST(SceneLookup, FaultsOfASharedFileAreToldOnce) {
                          "<mesh type=\"obj\"><string name=\"filename\" value=\"m.obj\"/></mesh>"
                          "<mesh type=\"obj\"><string name=\"filename\" value=\"sub/../m.obj\"/>"
                          "</mesh></scene>"),
-            "m.obj:1: error: a face takes 3 corners or more, found 1\n"
             "m.obj:1: error: vertex index 1 is out of range, the file has 0");
+}
+
+// Cloned without git-lfs; an exporter that failed; a download that was refused.
+TEST(SceneLookup, FilesInPlaceOfAMeshAreErrors) {
+  const SceneFiles files;
+  const std::string pointer =
+      "version https://git-lfs.github.com/spec/v1\noid sha256:0123\nsize 119802\n";
+  files.write("t.obj", pointer);
+  EXPECT_EQ(files.errors(scene(mesh())),
+            "f.xml:2:2: error: mesh file \"t.obj\": is a pointer of Git LFS, not the file itself: "
+            "\"git lfs pull\" fetches it");
+  files.write("t.obj", " \r\n");
+  EXPECT_EQ(files.errors(scene(mesh())),
+            "f.xml:2:2: error: mesh file \"t.obj\": is empty, expected an OBJ file");
+  files.write("t.obj", "ply\nformat ascii 1.0\n");
+  EXPECT_EQ(
+      files.errors(scene(mesh())),
+      "t.obj:1: error: \"ply\" is no statement of OBJ, and no line of the file is a vertex or "
+      "a face");
+  EXPECT_EQ(files.errors(pointer),
+            "f.xml: error: is a pointer of Git LFS, not the file itself: \"git lfs pull\" fetches "
+            "it");
 }
 
 TEST(SceneLookup, SharedFileWithTwoTransforms) {
