@@ -26,6 +26,8 @@ layout(binding = BIND_COUNTS) uniform utextureBuffer countTexels;
 layout(binding = BIND_WORK) uniform utextureBuffer workTexels;
 layout(binding = BIND_TEXTURES) uniform utextureBuffer textureTexels;
 layout(binding = BIND_UVS) uniform utextureBuffer uvTexels;
+layout(binding = BIND_EMISSION) uniform utextureBuffer emissionTexels;
+layout(binding = BIND_SOURCES) uniform utextureBuffer sourceTexels;
 layout(binding = BIND_IMAGES) uniform utextureBuffer imageTexels;
 
 vec3 texelVec3(uvec4 texel) { return uintBitsToFloat(texel.xyz); }

@@ -61,8 +61,11 @@ void traceConstants(const TraceKey& key, Text& text) {
   text.flag("HAS_NORMALS", key.normals);
   text.flag("HAS_MATERIALS", key.materials);
   text.flag("HAS_SPHERES", key.spheres);
+  text.flag("BOUNCES", key.bounces);
   text.flag("HAS_LIGHTS", key.lights);
   text.flag("MANY_LIGHTS", key.manyLights);
+  text.flag("HAS_EMISSION", key.emission);
+  text.flag("HAS_SOURCES", key.sources);
   text.flag("HAS_BACKGROUND", key.background != "none");
   text.flag("HAS_BSDF_RECORDS", key.bsdfRecords);
   text.flag("HAS_BYTE_IMAGES", key.byteImages);
@@ -186,11 +189,13 @@ void expand(std::string_view text, std::string name, std::set<std::string>& seen
 std::string traceText(const TraceKey& key, std::string_view main) {
   Text text;
   const bool packet = isPacket(key.traversal);
-  extensions(text, packet);
+  extensions(text, packet || key.lockstep);
   traceConstants(key, text);
   text.include(packet ? "film/stored_longs.glsl" : "film/stored_floats.glsl");
   text.include("resources.glsl");
   text.include("trace/rays.glsl");
+  if (key.bounces)
+    text.include(key.lockstep ? "trace/any_of_subgroup.glsl" : "trace/any_of_lane.glsl");
   text.include(packet ? "trace/packet.glsl" : "trace/lane.glsl");
   text.append(main);
   return expandIncludes(text.str(), "kernel");

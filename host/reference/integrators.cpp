@@ -2,10 +2,11 @@
 
 namespace laver::reference {
 
-glm::dvec3 radiance(const World& world, const Scene& scene, const IntegratorUse& integrator,
-                    const CameraRay& camera, const Numbers& numbers) {
-  return integrator.row->radiance({world, scene, integrator, camera.ray.direction,
-                                   world.closest(camera.ray, camera.tmin, camera.tmax), numbers});
+glm::dvec3 radiance(const Lit& lit, const IntegratorUse& integrator, const CameraRay& camera,
+                    const Numbers& numbers) {
+  return integrator.row->radiance(
+      {lit.world, lit.sources, lit.scene, integrator, camera.ray.origin, camera.ray.direction,
+       lit.world.closest(camera.ray, camera.tmin, camera.tmax), numbers});
 }
 
 }  // namespace laver::reference

@@ -6,16 +6,11 @@
 
 namespace laver::reference {
 
-namespace {
-
-// Uniform on the sphere by its height and azimuth.
 glm::dvec3 onSphere(glm::dvec2 numbers) {
   const double z = 1.0 - 2.0 * numbers.x, azimuth = 2.0 * std::numbers::pi * numbers.y;
   const double r = std::sqrt(1.0 - z * z);
   return {r * std::cos(azimuth), r * std::sin(azimuth), z};
 }
-
-}  // namespace
 
 glm::dvec3 offsetOrigin(const Surface& surface, const glm::dvec3& direction) {
   const double side = glm::dot(surface.geometric, direction);

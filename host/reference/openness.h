@@ -9,6 +9,9 @@ namespace laver::reference {
 /// surface's own plane nor that of its neighbours lies between.
 glm::dvec3 offsetOrigin(const Surface& surface, const glm::dvec3& direction);
 
+/// Uniform on the sphere, by its height and azimuth.
+glm::dvec3 onSphere(glm::dvec2 numbers);
+
 /// Uniform on the hemisphere of n.
 glm::dvec3 uniformAround(const glm::dvec3& n, glm::dvec2 numbers);
 

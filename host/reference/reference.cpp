@@ -12,11 +12,17 @@ namespace laver {
 
 struct Reference::Impl {
   Impl(const Scene& theScene, unsigned threads)
-      : scene(theScene), world(theScene, threads), view(theScene.camera, world.centre()) {}
+      : scene(theScene),
+        world(theScene, threads),
+        sources(theScene, world),
+        view(theScene.camera, world.centre()) {}
 
   const Scene& scene;
   reference::World world;
+  reference::LightSources sources;
   reference::View view;
+
+  reference::Lit lit() const { return {scene, world, sources}; }
 };
 
 Reference::Reference(const Scene& scene, unsigned threads)
@@ -26,8 +32,8 @@ Reference::Reference(Reference&&) noexcept = default;
 Reference& Reference::operator=(Reference&&) noexcept = default;
 
 glm::dvec3 Reference::radiance(glm::dvec2 film, const reference::Numbers& numbers) const {
-  return reference::radiance(impl_->world, impl_->scene, impl_->scene.integrator,
-                             impl_->view.through(film), numbers);
+  return reference::radiance(impl_->lit(), impl_->scene.integrator, impl_->view.through(film),
+                             numbers);
 }
 
 std::optional<Reference::Hit> Reference::closest(glm::dvec2 film) const {
@@ -106,8 +112,7 @@ Rendered Reference::render(const RenderOptions& options) const {
 Rendered Reference::picture(const IntegratorUse& shown, const RenderOptions& options, Place place,
                             Observers& observers) const {
   const auto radianceAt = [&](glm::dvec2 film, const reference::Numbers& numbers) {
-    return reference::radiance(impl_->world, impl_->scene, shown, impl_->view.through(film),
-                               numbers);
+    return reference::radiance(impl_->lit(), shown, impl_->view.through(film), numbers);
   };
   return reference::renderFilm(impl_->scene, options,
                                {radianceAt, shown.row->needs.negative, place.index, place.count},

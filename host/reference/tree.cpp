@@ -92,10 +92,26 @@ void Tree::walk(const Ray& ray, double tmin, double tmax, const Visit& visit) co
 }
 
 std::optional<TreeHit> Tree::closest(const Ray& ray, double tmin, double tmax) const {
+  return nearest(ray, tmin, tmax, crossing);
+}
+
+std::optional<TreeHit> Tree::closestAhead(const Ray& ray) const {
+  const auto hitAhead = [&](const Triangle& triangle, const Shear& shear) {
+    std::optional<Crossing> found = crossing(triangle, shear);
+    if (!found || !ahead(triangle, ray)) return std::optional<Crossing>();
+    found->t = std::max(found->t, 0.0);
+    return found;
+  };
+  return nearest(ray, 0.0, std::numeric_limits<double>::infinity(), hitAhead);
+}
+
+template <typename Test>
+std::optional<TreeHit> Tree::nearest(const Ray& ray, double tmin, double tmax,
+                                     const Test& test) const {
   const Shear shear(ray);
   std::optional<TreeHit> best;
   walk(ray, tmin, tmax, [&](const Triangle& triangle, double& end) {
-    const std::optional<Crossing> found = crossing(triangle, shear);
+    const std::optional<Crossing> found = test(triangle, shear);
     if (!found || !(found->t >= tmin && found->t <= end)) return true;
     if (best && found->t == best->t && triangle.id > best->triangle->id) return true;
     best = TreeHit{&triangle, found->t, found->weights};

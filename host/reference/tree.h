@@ -23,11 +23,17 @@ class Tree {
   /// The crossing with the smallest t in [tmin, tmax]; of equal ones that of the smallest id.
   std::optional<TreeHit> closest(const Ray& ray, double tmin, double tmax) const;
 
+  /// The first crossing of a ray that starts beside a surface, where rounding may give a crossing
+  /// of that surface any t near 0: the sides of the planes decide, as in blocked().
+  std::optional<TreeHit> closestAhead(const Ray& ray) const;
+
   /// Whether any triangle lies between two points: the line through them crosses it and its
   /// plane separates them.
   bool blocked(const glm::dvec3& from, const glm::dvec3& to) const;
 
  private:
+  template <typename Test>
+  std::optional<TreeHit> nearest(const Ray& ray, double tmin, double tmax, const Test& test) const;
   template <typename Visit>
   void walk(const Ray& ray, double tmin, double tmax, const Visit& visit) const;
 

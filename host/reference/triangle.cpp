@@ -40,6 +40,13 @@ double planeT(const Triangle& triangle, const Ray& ray, double crossingT) {
   return std::clamp(static_cast<double>(glm::dot(normal, way) / speed), nearest, farthest);
 }
 
+bool ahead(const Triangle& triangle, const Ray& ray) {
+  const LongVec normal = triangle.normal();
+  const long double side = glm::dot(normal, LongVec(ray.origin) - LongVec(triangle.corner[0]));
+  const long double speed = glm::dot(normal, LongVec(ray.direction));
+  return (side < 0.0L && speed > 0.0L) || (side > 0.0L && speed < 0.0L);
+}
+
 bool separates(const Triangle& triangle, const glm::dvec3& a, const glm::dvec3& b) {
   const LongVec normal = triangle.normal(), origin(triangle.corner[0]);
   const long double sideA = glm::dot(normal, LongVec(a) - origin);

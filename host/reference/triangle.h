@@ -81,6 +81,9 @@ inline std::optional<Crossing> crossing(const Triangle& triangle, const Shear& s
 /// is parallel to the plane.
 double planeT(const Triangle& triangle, const Ray& ray, double crossingT);
 
+/// Whether a ray that starts beside the triangle's plane goes towards it.
+bool ahead(const Triangle& triangle, const Ray& ray);
+
 /// Whether the triangle's plane has `a` on one side and `b` on the other, neither on the plane.
 bool separates(const Triangle& triangle, const glm::dvec3& a, const glm::dvec3& b);
 

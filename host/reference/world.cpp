@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "reference/openness.h"
 #include "reference/texture.h"
 
 namespace laver::reference {
@@ -64,8 +66,17 @@ std::size_t World::meshOf(std::uint32_t id) const {
 }
 
 std::optional<Met> World::closest(const Ray& ray, double tmin, double tmax) const {
+  return nearest(tree_.closest(ray, tmin, tmax), ray, tmin, tmax);
+}
+
+std::optional<Met> World::closestAhead(const Ray& ray) const {
+  return nearest(tree_.closestAhead(ray), ray, 0.0, std::numeric_limits<double>::infinity());
+}
+
+std::optional<Met> World::nearest(const std::optional<TreeHit>& triangle, const Ray& ray,
+                                  double tmin, double tmax) const {
   std::optional<Met> best;
-  if (const auto hit = tree_.closest(ray, tmin, tmax)) best = Met{hit->t, hit};
+  if (triangle) best = Met{triangle->t, triangle};
   for (const Ball& ball : balls_) {
     const auto hit = reference::closest(ball, ray, tmin, tmax);
     if (!hit || (best && (hit->t > best->t || (hit->t == best->t && ball.id > best->id()))))
@@ -94,6 +105,19 @@ Surface World::surface(const Met& met) const {
   surface.offset =
       8 * 0x1p-53 * glm::dot(glm::abs(surface.geometric), glm::abs(ball.centre) + ball.radius);
   return surface;
+}
+
+Surface World::surfaceOn(std::uint32_t id, glm::dvec2 numbers) const {
+  const auto ball = std::find_if(balls_.begin(), balls_.end(),
+                                 [&](const Ball& candidate) { return candidate.id == id; });
+  if (ball != balls_.end()) return surface(Met{0.0, {}, &*ball, onSphere(numbers)});
+  const std::size_t index = meshOf(id);
+  const Mesh& mesh = scene_->meshes[index];
+  const glm::uvec3& t = mesh.triangles[id - first_[index]];
+  const Triangle triangle(mesh.positions[t.x] - centre(), mesh.positions[t.y] - centre(),
+                          mesh.positions[t.z] - centre(), id);
+  const double root = std::sqrt(numbers.x);
+  return surface(TreeHit{&triangle, 0.0, {1.0 - root, root - numbers.y * root, numbers.y * root}});
 }
 
 Surface World::surface(const TreeHit& hit) const {

@@ -47,14 +47,20 @@ class World {
   double extent() const { return 2.0 * glm::length(box_.hi - box_.lo); }
   /// The first hit with t in [tmin, tmax]; of equal ones that of the smallest number.
   std::optional<Met> closest(const Ray& ray, double tmin, double tmax) const;
+  /// The same of a ray that starts beside a surface.
+  std::optional<Met> closestAhead(const Ray& ray) const;
   /// Whether anything lies between two points.
   bool blocked(const glm::dvec3& from, const glm::dvec3& to) const;
   Surface surface(const Met& met) const;
+  /// A point of a primitive, uniform by area for uniform numbers.
+  Surface surfaceOn(std::uint32_t id, glm::dvec2 numbers) const;
   /// The mesh of a triangle's number, and the number of that mesh's first one.
   std::size_t meshOf(std::uint32_t id) const;
   std::uint64_t firstOf(std::size_t mesh) const { return first_[mesh]; }
 
  private:
+  std::optional<Met> nearest(const std::optional<TreeHit>& triangle, const Ray& ray, double tmin,
+                             double tmax) const;
   Surface surface(const TreeHit& hit) const;
   std::vector<Triangle> gather() const;
 

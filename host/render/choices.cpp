@@ -78,6 +78,11 @@ bool materialsDiffer(const Scene& scene) {
   });
 }
 
+bool emits(const Scene& scene) {
+  return std::any_of(scene.meshes.begin(), scene.meshes.end(),
+                     [](const Mesh& mesh) { return mesh.light.has_value(); });
+}
+
 /// A BSDF with properties of its own beside its colour, or several kinds, need records.
 bool needsBsdfRecords(const Scene& scene) {
   return bsdfsOf(scene).size() > 1 ||
@@ -94,13 +99,20 @@ void keyOfShading(const Scene& scene, const IntegratorRow& row, bool surfaces, T
   key.bsdfs = bsdfsOf(scene);
   key.userBsdfs = userBsdfsOf(scene);
   key.lights = row.needs.lights && !scene.lights.empty();
-  key.manyLights = key.lights && scene.lights.size() > shared::LIGHTS_PER_DISPATCH;
+  key.manyLights =
+      key.lights && !row.needs.emitters && scene.lights.size() > shared::LIGHTS_PER_DISPATCH;
   if (row.needs.background && scene.environment) {
-    key.background = scene.environment->image ? "environment" : "constant";
+    key.background = scene.environment->row == &emitters::distantdisk ? emitters::distantdisk.name
+                     : scene.environment->image                       ? emitters::environment.name
+                                                                      : emitters::constant.name;
     noteImage(scene.environment->image, key);
   }
+  if (row.needs.emitters) {
+    key.emission = emits(scene);
+    key.sources = key.emission || key.lights || key.background != "none";
+  }
   if (!surfaces) return;
-  key.materials = materialsDiffer(scene);
+  key.materials = materialsDiffer(scene) || (key.emission && scene.meshes.size() > 1);
   key.bsdfRecords = needsBsdfRecords(scene);
   key.textures = texturesOf(scene);
   for (const Mesh& mesh : scene.meshes)
@@ -141,6 +153,7 @@ TraceKey keyOf(const Scene& scene, const RenderOptions& options, const Integrato
                             [](const Mesh& m) { return !m.normals.empty(); });
   key.adaptive = options.error > 0.0;
   key.signedValues = row.needs.negative;
+  key.bounces = row.bounces;
   if (shades(row)) keyOfShading(scene, row, surfaces, key);
   for (const PropertyRow& property : row.properties)
     key.properties.push_back({"float", property.name, ""});
@@ -190,6 +203,7 @@ Uploads uploadsOf(const Scene& scene, const std::vector<PictureChoice>& pictures
     uploads.materials |= key.bsdfRecords || (key.materials && key.textures.empty());
     uploads.textures |= !key.textures.empty();
     uploads.lights |= key.lights;
+    uploads.emission |= key.sources;
     uploads.jumpLevels = std::max(uploads.jumpLevels, key.jumpLevels);
     uploads.background |= key.background != "none";
   }
@@ -227,11 +241,14 @@ Uploads uploadsOf(const Scene& scene, const RenderOptions& options) {
 Choices choose(const Scene& scene, const RenderOptions& options, const VulkanOptions& vulkan,
                const DeviceInfo& device) {
   Choices choices;
-  const TraversalChoice traversal = traversalOf(scene, device, vulkan.traversal);
+  TraversalChoice traversal = traversalOf(scene, device, vulkan.traversal);
+  if (scene.integrator.row->bounces)
+    traversal = {Traversal::Lane, "its rays share neither origin nor direction"};
   choices.traversal = traversal.traversal;
   choices.pictures = picturesOf(scene, options);
   for (PictureChoice& picture : choices.pictures) {
-    picture.key.traversal = choices.traversal;
+    picture.key.traversal = picture.shown.row->bounces ? Traversal::Lane : choices.traversal;
+    picture.key.lockstep = picture.key.bounces && runsPackets(device);
     if (vulkan.wholeFilm) picture.blackMiss = false;
   }
   choices.uploads = uploadsOf(scene, choices.pictures, options);

@@ -37,6 +37,7 @@ struct Uploads {
   bool textures = false;    ///< a texture record per mesh, texture coordinates
   bool lights = false;
   bool background = false;
+  bool emission = false;         ///< what meshes emit, and the light sources of light sampling
   std::uint32_t jumpLevels = 0;  ///< of the tables that `independent` needs
   bool noriTable = false;        ///< filter weights from Nori's table
   std::uint32_t indexBytes = 4;  ///< of an index in the attributes of a triangle: 1, 2 or 4

@@ -55,6 +55,7 @@ void Frame::begin(const PictureChoice& picture) {
   const bool first = &picture == &choices_.pictures.front();
   const bool deeper = stackFor(picture.key.stack, packed_.bvh.stack) != picture.key.stack;
   picture_ = &picture;
+  if (work_.fallback.empty()) traversal_ = picture.key.traversal;
   gatherable_ = picture.blackMiss ? covered_.grown(apron())
                                   : Coverage::whole(covered_.width(), covered_.height());
   onDevice_.upload(paramsOf(picture.shown));
@@ -166,7 +167,9 @@ void Frame::trace(const shared::Pass& pass) {
 /// All lights in one dispatch, or a few in each of several.
 void Frame::dispatchLights(shared::Pass pass) {
   const Stopwatch watch(work_.traceSeconds);
-  const auto lights = picture_->key.lights ? static_cast<std::uint32_t>(packed_.lights.size()) : 0U;
+  // Light sampling draws one light; other integrators sum them all.
+  const bool sums = picture_->key.lights && !picture_->shown.row->needs.emitters;
+  const auto lights = sums ? static_cast<std::uint32_t>(packed_.lights.size()) : 0U;
   pass.firstLight = 0;
   do {
     pass.lightCount = std::min(lights - pass.firstLight, shared::LIGHTS_PER_DISPATCH);

@@ -177,7 +177,7 @@ glm::vec4 propertiesOf(const IntegratorUse& integrator, const Normalisation& spa
   return values;
 }
 
-Normalisation normalisationOf(const Scene& scene) {
+Bounds boundsOf(const Scene& scene) {
   dvec3 lo(std::numeric_limits<double>::infinity()), hi(-lo);
   for (const Mesh& mesh : scene.meshes) {
     if (mesh.sphere) {
@@ -190,6 +190,11 @@ Normalisation normalisationOf(const Scene& scene) {
         hi = glm::max(hi, mesh.positions[t[corner]]);
       }
   }
+  return {lo, hi};
+}
+
+Normalisation normalisationOf(const Scene& scene) {
+  const auto [lo, hi] = boundsOf(scene);
   if (lo.x > hi.x) return {};
   Normalisation space;
   space.centre = lo * 0.5 + hi * 0.5;
@@ -222,6 +227,7 @@ Packed pack(const Scene& scene, const RenderOptions& options, const Uploads& upl
   packFilter(scene.filter, uploads.noriTable, packed.params);
   packSampler(scene, uploads.jumpLevels, packed);
   if (uploads.background) textures.packBackground(*scene.environment);
+  if (uploads.emission) packSources(scene, packed);
   if (!scene.meshes.empty()) packed.params.albedo = vec3(albedoOf(scene.meshes.front()));
   packed.params.root = packed.bvh.root;
   packed.params.packetWindow = packetWindow(primitivesOf(scene));
@@ -253,6 +259,8 @@ std::vector<DeviceArray> arraysOf(const Packed& p) {
       {shared::BIND_JUMPS, "sampler tables", bytes(p.jumps), kTexels, 0, false},
       {shared::BIND_TEXTURES, "textures", bytes(p.textures), kTexels, 0, true},
       {shared::BIND_UVS, "texture coordinates", bytes(p.uvs), VK_FORMAT_R32G32_UINT, 0, true},
+      {shared::BIND_EMISSION, "emission", bytes(p.emission), kTexels, 0, true},
+      {shared::BIND_SOURCES, "light sources", bytes(p.sources), kTexels, 0, true},
       {shared::BIND_IMAGES, "images", bytes(p.images), VK_FORMAT_R32_UINT, 0, true}};
 }
 

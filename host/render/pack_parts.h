@@ -19,6 +19,9 @@ void packSeed(std::int64_t seed, shared::Params& params);
 /// whose points lie less than 4 apart; below 2^-100 nothing is seen apart.
 glm::vec4 propertiesOf(const IntegratorUse& integrator, const Normalisation& space);
 
+/// What meshes emit, and the light sources of light sampling; tree, space and lights must be there.
+void packSources(const Scene& scene, Packed& packed);
+
 /// n steps of PCG32: state(n) = multiplier * state(0) + increments * inc (Brown, "Random Number
 /// Generation with Arbitrary Strides", 1994).
 struct PcgJump {

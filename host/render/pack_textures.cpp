@@ -55,6 +55,11 @@ void TexturePacker::packBackground(const Environment& environment) {
   p.backgroundY = row(1);
   p.backgroundZ = row(2);
   p.backgroundRadiance = vec3(environment.radiance);
+  if (environment.row == &emitters::distantdisk) {
+    const glm::dvec3 axis = glm::dmat3(environment.toWorld) * glm::dvec3(0.0, 0.0, 1.0);
+    p.backgroundZ = vec3(glm::normalize(axis));
+    p.backgroundCosine = static_cast<float>(std::cos(glm::radians(environment.angle)));
+  }
   if (environment.image) p.backgroundImage = add(*environment.image, environment.raw);
 }
 

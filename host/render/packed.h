@@ -24,6 +24,12 @@ struct Normalisation {
 };
 Normalisation normalisationOf(const Scene& scene);
 
+/// A box of all primitives in the scene's space; lo.x > hi.x where there are none.
+struct Bounds {
+  glm::dvec3 lo, hi;
+};
+Bounds boundsOf(const Scene& scene);
+
 /// A scene in the layout of the kernels; empty arrays are not uploaded.
 struct Packed {
   Normalisation space;
@@ -34,9 +40,11 @@ struct Packed {
   std::vector<shared::Material> materials;
   std::vector<shared::Light> lights;
   std::vector<shared::Jump> jumps;
-  std::vector<shared::Texture> textures;  ///< one per mesh
-  std::vector<glm::vec2> uvs;             ///< three per triangle that shows a texture
-  std::vector<std::uint32_t> images;      ///< all images and their tables
+  std::vector<shared::Texture> textures;   ///< one per mesh
+  std::vector<glm::vec2> uvs;              ///< three per triangle that shows a texture
+  std::vector<std::uint32_t> images;       ///< all images and their tables
+  std::vector<shared::Emission> emission;  ///< one per mesh
+  std::vector<shared::Source> sources;     ///< of light sampling
   shared::Params params{};
   VkFormat attributeFormat = VK_FORMAT_R32G32B32A32_UINT;
   std::uint64_t triangles = 0;           ///< uploaded, spheres too

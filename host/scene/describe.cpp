@@ -85,6 +85,10 @@ std::string describeBsdf(const Bsdf& bsdf) {
 std::string describeEnvironment(const std::optional<Environment>& environment) {
   if (!environment) return "null";
   const std::string key = "    toWorld = ";
+  if (environment->row == &emitters::distantdisk)
+    return fmt::format("{}[\n    radiance = {},\n    thetaA = {:f},\n{}{}\n  ]",
+                       environment->row->object, triple(environment->radiance), environment->angle,
+                       key, rows(environment->toWorld, key.size()));
   return fmt::format("{}[\n    radiance = {},\n    environment = \"{}\",\n{}{}\n  ]",
                      environment->row->object, triple(environment->radiance), environment->filename,
                      key, rows(environment->toWorld, key.size()));
@@ -96,8 +100,11 @@ std::string describeMesh(const Mesh& mesh) {
                                 mesh.sphere->radius)
                   : fmt::format("name = \"{}\",\n      vertexCount = {},\n      triangleCount = {}",
                                 mesh.name, mesh.positions.size(), mesh.triangles.size());
-  return fmt::format("    {}[\n      {},\n      bsdf = {},\n      emitter = null\n    ]",
-                     mesh.row().object, shape, describeBsdf(mesh.bsdf));
+  const std::string light = mesh.light ? fmt::format("{}[radiance = {}]", emitters::area.object,
+                                                     triple(mesh.light->radiance))
+                                       : "null";
+  return fmt::format("    {}[\n      {},\n      bsdf = {},\n      emitter = {}\n    ]",
+                     mesh.row().object, shape, describeBsdf(mesh.bsdf), light);
 }
 
 template <class T>

@@ -13,6 +13,14 @@ namespace laver {
 namespace reference {
 LightSample point(const PointLight& light, const glm::dvec3& from);
 glm::dvec3 environment(const Environment& environment, const glm::dvec3& direction);
+glm::dvec3 constant(const Environment& environment, const glm::dvec3& direction);
+glm::dvec3 distantdisk(const Environment& environment, const glm::dvec3& direction);
+DirectionSample environmentDirection(const Environment& environment, glm::dvec2 numbers);
+DirectionSample constantDirection(const Environment& environment, glm::dvec2 numbers);
+DirectionSample distantdiskDirection(const Environment& environment, glm::dvec2 numbers);
+double environmentDensity(const Environment& environment, const glm::dvec3& direction);
+double constantDensity(const Environment& environment, const glm::dvec3& direction);
+double distantdiskDensity(const Environment& environment, const glm::dvec3& direction);
 }  // namespace reference
 
 namespace {
@@ -41,6 +49,16 @@ void buildPowerLight(const Properties& given, std::string_view parent, Draft& dr
   if (!given.has("power")) return;
   const glm::dvec3 radiance = given.triple("power") / (4.0 * std::numbers::pi);
   addLight({given.triple("position"), radiance}, parent, draft);
+}
+
+void buildArea(const Properties& given, std::string_view parent, Draft& draft) {
+  if (parent != "mesh") {
+    given.error("radiance", fmt::format("{} stands in <{}>, expected it in <mesh>",
+                                        nameOf(given.rule()), parent));
+  } else if (!draft.meshes.empty()) {
+    draft.meshes.back().light = {given.triple("radiance") * given.real("scale")};
+    draft.meshes.back().lightOffset = given.offset();
+  }
 }
 
 void addEnvironment(const Properties& given, std::string_view parent,
@@ -79,7 +97,18 @@ void buildEnvmap(const Properties& given, std::string_view parent, Draft& draft)
 
 void buildConstant(const Properties& given, std::string_view parent, Draft& draft) {
   Environment environment;
+  environment.row = &emitters::constant;
   environment.radiance = given.triple("radiance");
+  addEnvironment(given, parent, environment, draft);
+}
+
+void buildDistantDisk(const Properties& given, std::string_view parent, Draft& draft) {
+  if (!given.has("radiance") || !given.has("thetaA")) return;
+  Environment environment;
+  environment.row = &emitters::distantdisk;
+  environment.radiance = given.triple("radiance");
+  environment.angle = given.real("thetaA");
+  environment.toWorld = given.transform("toWorld");
   addEnvironment(given, parent, environment, draft);
 }
 
@@ -128,23 +157,70 @@ const EmitterRow point{
                .build = buildPowerLight}},
     .sample = reference::point};
 
+const EmitterRow area{.name = "area",
+                      .object = "AreaLight",
+                      .forms = {{.type = "area",
+                                 .properties = {{.name = "radiance",
+                                                 .type = Color,
+                                                 .start = AreaLight{}.radiance,
+                                                 .meaning = "of the mesh's surface, on the side "
+                                                            "of its shading normal"},
+                                                {.name = "scale",
+                                                 .type = Float,
+                                                 .start = 1.0,
+                                                 .meaning = "factor of the radiance"}},
+                                 .build = buildArea}}};
+
 const EmitterRow environment{
     .name = "environment",
     .object = "EnvironmentEmitter",
     .forms = {{.type = "environment",
                .properties = environmentProperties(),
                .build = buildEnvironment},
-              {.type = "envmap", .properties = environmentProperties(), .build = buildEnvmap},
-              {.type = "constant",
-               .properties = {backgroundRow("of all directions")},
-               .build = buildConstant}},
-    .background = reference::environment};
+              {.type = "envmap", .properties = environmentProperties(), .build = buildEnvmap}},
+    .background = reference::environment,
+    .direction = reference::environmentDirection,
+    .density = reference::environmentDensity};
+
+const EmitterRow constant{.name = "constant",
+                          .object = "EnvironmentEmitter",
+                          .forms = {{.type = "constant",
+                                     .properties = {backgroundRow("of all directions")},
+                                     .build = buildConstant}},
+                          .background = reference::constant,
+                          .direction = reference::constantDirection,
+                          .density = reference::constantDensity};
+
+const EmitterRow distantdisk{
+    .name = "distantdisk",
+    .object = "DistantDisk",
+    .forms = {{.type = "distantdisk",
+               .properties = {{.name = "radiance",
+                               .type = Color,
+                               .start = Environment{}.radiance,
+                               .required = true,
+                               .meaning = "of directions within the disk"},
+                              {.name = "thetaA",
+                               .type = Float,
+                               .start = Environment{}.angle,
+                               .required = true,
+                               .range = fromTo(0.0, 180.0),
+                               .unit = "degrees",
+                               .meaning = "angular radius of the disk"},
+                              {.name = "toWorld",
+                               .type = Transform,
+                               .start = Environment{}.toWorld,
+                               .meaning = "takes +z to the direction of the disk's centre"}},
+               .build = buildDistantDisk}},
+    .background = reference::distantdisk,
+    .direction = reference::distantdiskDirection,
+    .density = reference::distantdiskDensity};
 
 }  // namespace emitters
 
 const Rows<EmitterRow>& emitterRows() {
   using namespace emitters;
-  static const Rows<EmitterRow> rows = {&point, &environment};
+  static const Rows<EmitterRow> rows = {&point, &area, &environment, &constant, &distantdisk};
   return rows;
 }
 

@@ -15,10 +15,11 @@ struct Environment;
 
 namespace reference {
 struct LightSample;
-}
+struct DirectionSample;
+}  // namespace reference
 
 /// A kind of emitter. Its kernel's part is shaders/emitter/NAME.glsl, its twin in double precision
-/// host/reference/emitter/NAME.cpp: one of the two functions.
+/// host/reference/emitter/NAME.cpp. A point light has `sample`, a background the other functions.
 struct EmitterRow {
   const char* name;
   const char* object = "";  ///< Nori's class, in the dump
@@ -26,10 +27,14 @@ struct EmitterRow {
   reference::LightSample (*sample)(const PointLight& light, const glm::dvec3& from) = nullptr;
   /// Radiance that a ray of that direction, of any length but 0, sees where it hits nothing.
   glm::dvec3 (*background)(const Environment& environment, const glm::dvec3& direction) = nullptr;
+  /// Draws a direction to the background, and its density per solid angle.
+  reference::DirectionSample (*direction)(const Environment& environment,
+                                          glm::dvec2 numbers) = nullptr;
+  double (*density)(const Environment& environment, const glm::dvec3& direction) = nullptr;
 };
 
 namespace emitters {
-extern const EmitterRow point, environment;
+extern const EmitterRow point, area, constant, environment, distantdisk;
 }  // namespace emitters
 
 const Rows<EmitterRow>& emitterRows();
@@ -41,13 +46,20 @@ struct PointLight {
   const EmitterRow* row = &emitters::point;
 };
 
+/// Light that a mesh emits, on the side of its shading normal.
+struct AreaLight {
+  glm::dvec3 radiance{1.0};
+};
+
 /// What rays that hit nothing see. Of an image, in the space that toWorld takes to the world, the
-/// rows go from +y to -y and the columns from -z over +x, +z and -x, as in Mitsuba.
+/// rows go from +y to -y and the columns from -z over +x, +z and -x, as in Mitsuba. Of a disk, the
+/// radiance of the directions within `angle` of +z.
 struct Environment {
   glm::dvec3 radiance{1.0};  ///< of all directions, or an image's factor
   glm::dmat4 toWorld{1.0};   ///< its linear part counts
   std::string filename{};    ///< empty: no image
   bool raw = false;
+  double angle = 180.0;                    ///< degrees
   std::shared_ptr<const Picture> image{};  ///< none where the integrator shows no background
   const EmitterRow* row = &emitters::environment;
 };

@@ -17,6 +17,14 @@ glm::dvec3 ambientOcclusion(const CameraSample& sample);
 glm::dvec3 shadingNormal(const CameraSample& sample);
 glm::dvec3 albedo(const CameraSample& sample);
 glm::dvec3 geometricNormals(const CameraSample& sample);
+glm::dvec3 whitted(const CameraSample& sample);
+glm::dvec3 direct(const CameraSample& sample);
+glm::dvec3 directEms(const CameraSample& sample);
+glm::dvec3 directMats(const CameraSample& sample);
+glm::dvec3 directMis(const CameraSample& sample);
+glm::dvec3 pathEms(const CameraSample& sample);
+glm::dvec3 pathMats(const CameraSample& sample);
+glm::dvec3 pathMis(const CameraSample& sample);
 }  // namespace reference
 
 namespace integrators {
@@ -74,6 +82,40 @@ static const IntegratorRow geometricNormals{.name = "geometric_normals",
                                             .miss = Miss::Black,
                                             .radiance = reference::geometricNormals};
 
+/// An integrator that follows paths, with light of all kinds.
+IntegratorRow pathRow(const char* name, const char* object, std::vector<const char*> spellings,
+                      glm::dvec3 (*radiance)(const reference::CameraSample&)) {
+  return {.name = name,
+          .spellings = std::move(spellings),
+          .object = object,
+          .needs = {.normals = true,
+                    .materials = true,
+                    .lights = true,
+                    .emitters = true,
+                    .background = true,
+                    .numbers = true},
+          .miss = Miss::Background,
+          .bounces = true,
+          .radiance = radiance};
+}
+
+// All that follow paths to their end have one expectation; their names say how they sample.
+static const IntegratorRow whitted =
+    pathRow("whitted", "WhittedIntegrator", {}, reference::whitted);
+static const IntegratorRow direct = pathRow("direct", "DirectIntegrator", {}, reference::direct);
+static const IntegratorRow directEms =
+    pathRow("direct_ems", "DirectEmsIntegrator", {}, reference::directEms);
+static const IntegratorRow directMats =
+    pathRow("direct_mats", "DirectMatsIntegrator", {}, reference::directMats);
+static const IntegratorRow directMis =
+    pathRow("direct_mis", "DirectMisIntegrator", {}, reference::directMis);
+static const IntegratorRow pathEms =
+    pathRow("path_ems", "PathEmsIntegrator", {"path_simple", "path_nee"}, reference::pathEms);
+static const IntegratorRow pathMats =
+    pathRow("path_mats", "PathMatsIntegrator", {}, reference::pathMats);
+static const IntegratorRow pathMis =
+    pathRow("path_mis", "PathMisIntegrator", {"path", "mipath", "path_tracer"}, reference::pathMis);
+
 }  // namespace integrators
 
 bool IntegratorUse::operator==(const IntegratorUse& other) const {
@@ -99,8 +141,11 @@ std::optional<IntegratorUse> userIntegrator(const std::string& file) {
 
 const Rows<IntegratorRow>& integratorRows() {
   using namespace integrators;
-  static const Rows<IntegratorRow> rows = {
-      &normals, &directWhitted, &depth, &averageVisibility, &ambientOcclusion, &geometricNormals};
+  static const Rows<IntegratorRow> rows = {&normals,           &directWhitted,    &depth,
+                                           &averageVisibility, &ambientOcclusion, &geometricNormals,
+                                           &whitted,           &direct,           &directEms,
+                                           &directMats,        &directMis,        &pathEms,
+                                           &pathMats,          &pathMis};
   return rows;
 }
 

@@ -19,7 +19,8 @@ struct CameraSample;
 struct Needs {
   bool normals = false;     ///< vertex normals
   bool materials = false;   ///< BSDFs and their textures
-  bool lights = false;      ///< light sources
+  bool lights = false;      ///< point lights
+  bool emitters = false;    ///< light sources of all kinds
   bool background = false;  ///< the radiance of rays that hit nothing
   bool numbers = false;     ///< random numbers besides the film position
   bool negative = false;    ///< its values may be negative
@@ -43,6 +44,7 @@ struct IntegratorRow {
   Needs needs{};
   Miss miss = Miss::Unknown;
   bool litOnly = false;  ///< surfaces are black in a scene without lights
+  bool bounces = false;  ///< its rays go on from surfaces, in directions that they do not share
   /// Radiance along a camera ray in double precision, misses included.
   glm::dvec3 (*radiance)(const reference::CameraSample& sample) = nullptr;
 };
@@ -85,7 +87,7 @@ std::optional<IntegratorUse> userIntegrator(const std::string& file);
 
 /// Whether what an integrator shows depends on materials, lights or the background.
 inline bool shades(const IntegratorRow& row) {
-  return row.needs.materials || row.needs.lights || row.needs.background;
+  return row.needs.materials || row.needs.lights || row.needs.emitters || row.needs.background;
 }
 
 }  // namespace laver

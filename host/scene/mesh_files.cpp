@@ -93,6 +93,7 @@ void loadMeshes(const TextSource& source, Draft& draft, Diagnostics& diagnostics
       meshes[i].name = from.filename;
       meshes[i].bsdf = from.bsdf;
       meshes[i].sphere = from.sphere;
+      meshes[i].light = from.light;
     }
   });
   for (std::size_t i = 0; i < meshes.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scene/bsdfs.h"
+#include "scene/emitters.h"
 #include "scene/form.h"
 #include "scene/rows.h"
 
@@ -40,6 +41,7 @@ struct Mesh {
   std::vector<glm::uvec3> triangles;   ///< indices into the above, in file order
   std::uint64_t droppedTriangles = 0;  ///< zero-area triangles left out at load
   Bsdf bsdf;
+  std::optional<AreaLight> light;  ///< its surface emits
 
   /// Triangles and spheres, which are numbered together.
   std::size_t primitives() const { return sphere ? 1 : triangles.size(); }

@@ -59,7 +59,7 @@ void add(std::vector<ObjectRule>& rules, const char* tag, const Rows<Row>& rows,
   for (const Row* row : rows) {
     rules.push_back({tag, row->name, row->properties, build});
     for (const char* spelling : row->spellings)
-      rules.push_back({tag, spelling, row->properties, build});
+      rules.push_back({tag, spelling, row->properties, build, true});
   }
 }
 

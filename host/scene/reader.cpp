@@ -44,6 +44,16 @@ void Reader::readScene(pugi::xml_node root) {
   }
   auto& lights = draft_.scene.lights;
   lights.insert(lights.end(), draft_.meshLights.begin(), draft_.meshLights.end());
+  checkAreaLights();
+}
+
+void Reader::checkAreaLights() {
+  const IntegratorRow& row = *draft_.scene.integrator.row;
+  if (!row.needs.lights || row.needs.emitters) return;
+  for (const MeshDraft& mesh : draft_.meshes)
+    if (mesh.light)
+      diagnostics_.error(mesh.lightOffset,
+                         fmt::format("integrator \"{}\" takes light from points only", row.name));
 }
 
 void Reader::buildDefault(const char* tag, std::string_view type, std::size_t offset) {

@@ -28,6 +28,7 @@ class Reader {
   bool checkPlace(pugi::xml_node node, const TagRule& rule, std::string_view parent);
   bool checkTexture(pugi::xml_node node, const ObjectRule& parent);
   void missing(pugi::xml_node node, Need need, const std::string& message);
+  void checkAreaLights();
   void buildDefault(const char* tag, std::string_view type, std::size_t offset);
   void findIntegrator(pugi::xml_node root);
 

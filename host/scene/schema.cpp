@@ -72,7 +72,7 @@ const PropertyType* findPropertyType(std::string_view tag) {
 std::vector<std::string_view> knownTypes(std::string_view tag) {
   std::vector<std::string_view> types;
   for (const ObjectRule& rule : objectRules()) {
-    if (rule.tag == tag) types.emplace_back(rule.type);
+    if (rule.tag == tag && !rule.spelling) types.emplace_back(rule.type);
   }
   return types;
 }

@@ -23,6 +23,8 @@ struct MeshDraft {
   Bsdf bsdf;
   std::size_t textureOffset = 0;  ///< of its texture's tag
   std::optional<Sphere> sphere;   ///< then there is no file
+  std::optional<AreaLight> light{};
+  std::size_t lightOffset = 0;  ///< of its emitter's tag
 };
 
 /// A scene while it is read.
@@ -42,6 +44,7 @@ struct ObjectRule {
   const char* type;
   std::span<const PropertyRow> properties;
   std::function<void(const Properties& given, std::string_view parent, Draft& draft)> build;
+  bool spelling = false;  ///< another name of a row
 };
 
 /// Puts an integrator that the file names into the scene, unless the command line names another.
@@ -89,7 +92,7 @@ std::span<const PropertyType> propertyTypes();
 /// The property type whose tag this is.
 const PropertyType* findPropertyType(std::string_view tag);
 
-/// Types that laver has of an object, in the table's order.
+/// Types that laver has of an object, in the table's order, other spellings left out.
 std::vector<std::string_view> knownTypes(std::string_view tag);
 /// Names of the operations of a transform.
 std::vector<std::string_view> knownOperations();

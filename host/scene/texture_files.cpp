@@ -77,10 +77,12 @@ void loadTextures(const TextSource& source, Draft& draft, Diagnostics& diagnosti
   if (auto& sky = draft.scene.environment) {
     if (!sky->filename.empty())
       files.add(sky->filename, sky->raw, draft.environmentOffset, sky->image);
-    diagnostics.warning(draft.environmentOffset,
-                        fmt::format("the background is seen where rays meet nothing and lights no "
-                                    "surface: integrator \"{}\" takes light from points only",
-                                    draft.scene.integrator.row->name));
+    if (!draft.scene.integrator.row->needs.emitters)
+      diagnostics.warning(
+          draft.environmentOffset,
+          fmt::format("the background is seen where rays meet nothing and lights no "
+                      "surface: integrator \"{}\" takes light from points only",
+                      draft.scene.integrator.row->name));
   }
   files.read();
 }

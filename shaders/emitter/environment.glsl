@@ -1,6 +1,7 @@
 // A background image around the scene, by latitude and longitude.
 #include "texture/image.glsl"
 #include "texture/angle.glsl"
+#include "shared/direction.h"
 
 vec3 backgroundAt(vec3 direction) {
   if (params.backgroundImage.width == 0u) return params.backgroundRadiance;
@@ -11,3 +12,11 @@ vec3 backgroundAt(vec3 direction) {
   const float t = 2.0 * turnOf(sqrt(d.x * d.x + d.z * d.z), d.y);
   return params.backgroundRadiance * imageAt(params.backgroundImage, s, t, false);
 }
+
+// Uniform on the sphere.
+vec3 sampleBackground(vec2 numbers, out float density) {
+  density = 0.0795774715;  // 1 / 4 pi
+  return sphereDirection(numbers);
+}
+
+float backgroundDensity(vec3 direction) { return 0.0795774715; }

@@ -1,2 +1,9 @@
 // No background: black.
 vec3 backgroundAt(vec3 direction) { return vec3(0.0); }
+
+vec3 sampleBackground(vec2 numbers, out float density) {
+  density = 0.0;
+  return vec3(0.0, 0.0, 1.0);
+}
+
+float backgroundDensity(vec3 direction) { return 0.0; }

@@ -25,7 +25,9 @@ LAVER_CONST uint BIND_WORK = 15;      // T Work; adaptive sampling only
 LAVER_CONST uint BIND_TEXTURES = 16;  // T Texture, one per material
 LAVER_CONST uint BIND_UVS = 17;       // T of uvec2: u, v of each corner of textured triangles
 LAVER_CONST uint BIND_IMAGES = 18;    // T of uint: pixels of all images, and their tables
-LAVER_CONST uint BINDINGS = 19;
+LAVER_CONST uint BIND_EMISSION = 19;  // T Emission, one per mesh
+LAVER_CONST uint BIND_SOURCES = 20;   // T Source
+LAVER_CONST uint BINDINGS = 21;
 
 // A dispatch sums at most this many lights, so that an invocation stays far below lavapipe's 65,535
 // loop iterations.
@@ -126,6 +128,24 @@ struct Light {
   float pad1;
 };
 
+// Light that a mesh emits on the side of its shading normal. 1 texel.
+struct Emission {
+  vec3 radiance;
+  float
+      density;  // of light sampling, per area of normalised space, before probabilities are rounded
+};
+
+// A light source of light sampling, which draws one of all. 1 texel.
+LAVER_CONST uint SOURCE_POINT = 0;  // `index`: of its Light
+LAVER_CONST uint SOURCE_BACKGROUND = 1;
+LAVER_CONST uint SOURCE_PRIMITIVE = 2;  // `index`: its slot
+struct Source {
+  uint kind;
+  uint index;
+  float upper;  // sum of the probabilities up to and with this one, in 2^-23
+  float probability;
+};
+
 // state(n) = multiplier * state(0) + increments * inc, 64 bits each as low, high. 1 texel.
 struct Jump {
   uvec2 multiplier;
@@ -184,11 +204,11 @@ struct Params {
   vec4
       filterTable[9];  // filter/table.glsl: 33 entries; filter/gaussian_narrow.glsl: exp(alpha k^2)
   vec3 backgroundX;    // rows of the rotation from world space to the background image's space
-  float pad0;
+  float backgroundCosine;  // distantdisk: of its angular radius
   vec3 backgroundY;
-  float pad1;
+  float backgroundProbability;  // that light sampling draws the background
   vec3 backgroundZ;
-  float pad2;
+  uint sources;  // light sources of light sampling
   vec3 backgroundRadiance;
   float pad3;
   ImageRef backgroundImage;
@@ -237,7 +257,7 @@ static_assert(sizeof(Attributes) == 16);
 static_assert(sizeof(Material) == 32);
 static_assert(sizeof(Texture) == 64 && offsetof(Texture, image) == 48);
 static_assert(sizeof(Light) == 32 && offsetof(Light, radiance) == 16);
-static_assert(sizeof(Jump) == 16);
+static_assert(sizeof(Jump) == 16 && sizeof(Emission) == 16 && sizeof(Source) == 16);
 static_assert(sizeof(Count) == 16 && sizeof(Work) == 16);
 static_assert(sizeof(Params) == 384 && offsetof(Params, filmSize) == 80);
 static_assert(sizeof(Pass) == 96);

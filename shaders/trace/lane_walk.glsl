@@ -75,6 +75,15 @@ LaneTriangle loadTriangle(LaneRay ray, uint slot) {
   return t;
 }
 
+// Whether a ray that starts on a surface goes towards the triangle's plane: by the sides of that plane, as
+// for shadow rays (blocks()), since rounding may give a hit on the ray's own surface any depth near 0.
+bool isAhead(LaneRay ray, vec3 direction, LaneTriangle t) {
+  const vec3 a = permute(ray.shear, t.a);
+  const vec3 n = crossProduct(permute(ray.shear, t.b) - a, permute(ray.shear, t.c) - a);
+  const float side = dotProduct(n, t.pa), along = dotProduct(n, permute(ray.shear, direction));
+  return (side > 0.0 && along > 0.0) || (side < 0.0 && along < 0.0);
+}
+
 // The slot of what the ray meets first, or NO_HIT.
 uint closestLane(vec3 origin, vec3 direction, float tmin, float tmax, bool isActive) {
   const LaneRay ray = laneRay(origin, direction, tmin);
@@ -94,6 +103,14 @@ uint closestLane(vec3 origin, vec3 direction, float tmin, float tmax, bool isAct
           const Chord chord = chordOf(ray.shear, t.pa, t.ends, t.b.x);
           depth = depthOn(chord, ray.first);
           e.inside = chord.met;
+          if (BOUNCES && ray.first == 0.0) {
+            const bool begins = outside(t.pa, t.b.x);
+            e.inside = chord.met && (!begins || chord.middle > 0.0);
+            depth = greater(begins ? chord.near : chord.far, 0.0);
+          }
+        } else if (BOUNCES && ray.first == 0.0) {
+          e.inside = e.inside && isAhead(ray, direction, t);
+          depth = greater(depth, 0.0);
         }
         // Equal depths: the smaller id, that is file order.
         if (e.inside && depth >= ray.first && depth <= last && (depth < last || t.id < bestId)) {

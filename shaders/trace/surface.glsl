@@ -14,7 +14,8 @@ struct Surface {
   uint id;
 };
 
-Surface surfaceAt(vec3 origin, vec3 direction, uint slot) {
+// Where a ray that starts at tmin has met `slot`.
+Surface surfaceFrom(vec3 origin, vec3 direction, float tmin, uint slot) {
   const int texel = int(slot * 3u);
   const uvec4 first = texelFetch(triangleTexels, texel);
   const vec3 a = texelVec3(first);
@@ -22,7 +23,7 @@ Surface surfaceAt(vec3 origin, vec3 direction, uint slot) {
   const uvec4 last = texelFetch(triangleTexels, texel + 2);
   Point p = pointAt(origin, direction, a, b, texelVec3(last), last.w != 0u);
   if (HAS_SPHERES) {
-    if (last.w == IS_SPHERE) p = sphereHitAt(origin, direction, params.tmin, a, b.x);
+    if (last.w == IS_SPHERE) p = sphereHitAt(origin, direction, tmin, a, b.x);
   }
 
   Surface s;
@@ -47,6 +48,11 @@ Surface surfaceAt(vec3 origin, vec3 direction, uint slot) {
     }
   }
   return s;
+}
+
+// The same of a camera ray.
+Surface surfaceAt(vec3 origin, vec3 direction, uint slot) {
+  return surfaceFrom(origin, direction, params.tmin, slot);
 }
 
 // Origin of a ray that leaves the surface along `direction`: offset to that side by the rounding of the

@@ -74,7 +74,7 @@ TEST_F(CommandLine, UsageErrorsAreOneLineAndExitTwo) {
                                 "test.xml --crop 4,4,4,8 --device $device",
                                 "test.xml --spp 0",
                                 "test.xml --spp -3",
-                                "test.xml --integrator path_mis",
+                                "test.xml --integrator vol_path",
                                 "test.xml --sampler halton",
                                 "test.xml --filter sinc",
                                 "test.xml -o picture.jpg --device $device",

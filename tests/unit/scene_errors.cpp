@@ -59,7 +59,9 @@ const std::vector<Case> kStructure = {
      "f.xml:2:14: error: bad XML: a comment does not end, expected \"-->\""},
     {"no_integrator", "<scene/>",
      "f.xml:1:2: error: <scene> needs an <integrator>: expected type \"normals\", "
-     "\"direct_whitted\", \"depth\", \"av\", \"ao\" or \"geometric_normals\""},
+     "\"direct_whitted\", \"depth\", \"av\", \"ao\", \"geometric_normals\", \"whitted\", "
+     "\"direct\", \"direct_ems\", \"direct_mats\", \"direct_mis\", \"path_ems\", \"path_mats\" or "
+     "\"path_mis\""},
     {"second_integrator", scene("<integrator type=\"depth\"/>"),
      "f.xml:2:2: error: a second <integrator> in <scene>, expected one: the first is in line 1"},
     {"second_camera", scene("<camera type=\"perspective\"/>\n <camera type=\"perspective\"/>"),
@@ -209,10 +211,12 @@ const std::vector<Case> kTransforms = {
 };
 
 const std::vector<Case> kLacking = {
-    {"integrator", scene("", "path_mis"),
-     "f.xml:1:9: error: laver has no integrator of type \"path_mis\": expected \"normals\", "
-     "\"direct_whitted\", \"depth\", \"av\", \"ao\" or \"geometric_normals\" (nearest: "
-     "\"normals\"); nor is there a file path_mis.glsl beside the scene"},
+    {"integrator", scene("", "vol_path"),
+     "f.xml:1:9: error: laver has no integrator of type \"vol_path\": expected \"normals\", "
+     "\"direct_whitted\", \"depth\", \"av\", \"ao\", \"geometric_normals\", \"whitted\", "
+     "\"direct\", \"direct_ems\", \"direct_mats\", \"direct_mis\", \"path_ems\", \"path_mats\" or "
+     "\"path_mis\" (nearest: "
+     "\"depth\"); nor is there a file vol_path.glsl beside the scene"},
     {"camera", scene("<camera type=\"thinlens\"/>"),
      "f.xml:2:2: error: laver has no camera of type \"thinlens\": expected \"perspective\""},
     {"sampler", scene("<sampler type=\"halton\"/>"),
@@ -225,11 +229,13 @@ const std::vector<Case> kLacking = {
      "f.xml:2:2: error: laver has no mesh of type \"cylinder\": expected \"obj\" or \"sphere\" "
      "(nearest: \"sphere\")"},
     {"area_light", scene(mesh("\n<emitter type=\"area\"/>"), "direct_whitted"),
-     "f.xml:3:2: error: laver has no emitter of type \"area\": expected \"pointlight\", "
-     "\"point\", \"environment\", \"envmap\" or \"constant\" (nearest: \"point\")"},
+     "f.xml:3:2: error: integrator \"direct_whitted\" takes light from points only"},
+    {"area_light_of_no_mesh", scene("<emitter type=\"area\"/>", "path_mis"),
+     "f.xml:2:2: error: emitter \"area\" stands in <scene>, expected it in <mesh>"},
     {"sky", scene("<emitter type=\"sky\"/>", "direct_whitted"),
      "f.xml:2:2: error: laver has no emitter of type \"sky\": expected \"pointlight\", "
-     "\"point\", \"environment\", \"envmap\" or \"constant\" (nearest: \"point\")"},
+     "\"point\", \"area\", \"environment\", \"envmap\", \"constant\" or \"distantdisk\" (nearest: "
+     "\"area\")"},
     {"texture",
      scene(mesh("<bsdf type=\"diffuse\">\n<texture name=\"albedo\" type=\"perlin\"/></bsdf>"),
            "direct_whitted"),

@@ -24,13 +24,12 @@ TEST_F(SceneLacking, WhatTheIntegratorDoesNotNeedIsWarnedOf) {
       "f.xml:2:2: warning: laver has no medium of type \"homogeneous\": it has none" + tail +
           "\nf.xml:3:2: warning: laver has no test of type \"ttest\": it has none" + tail +
           "\nf.xml:4:2: warning: laver has no emitter of type \"sky\": expected \"pointlight\", "
-          "\"point\", \"environment\", \"envmap\" or \"constant\" (nearest: \"point\")" +
+          "\"point\", \"area\", \"environment\", \"envmap\", \"constant\" or \"distantdisk\" "
+          "(nearest: \"area\")" +
           tail + "\nf.xml:5:58: warning: laver has no bsdf of type \"disney\": expected " +
           xml::expectedNames("disney", xml::knownTypes("bsdf")) +
           "; nor is there a file disney.glsl beside the scene" + tail +
-          "\nf.xml:5:91: warning: laver has no emitter of type \"area\": expected \"pointlight\", "
-          "\"point\", \"environment\", \"envmap\" or \"constant\" (nearest: \"point\")" +
-          tail + "\nf.xml:6:2: warning: unknown tag <subsurface>: the nearest is <bsdf>" + tail +
+          "\nf.xml:6:2: warning: unknown tag <subsurface>: the nearest is <bsdf>" + tail +
           "\nf.xml:7:2: warning: laver has no texture of type \"perlin\": expected \"checker\", "
           "\"textmap\", \"image_texture\" or \"bitmap\" (nearest: \"checker\")" +
           tail);

@@ -122,11 +122,13 @@ TEST(SceneLookup, PointAtInfinity) {
 TEST(SceneOverride, IntegratorMakesAnotherAWarningAndLightsUnneeded) {
   const SceneFiles files;
   files.write("t.obj", kTriangle);
-  const std::string xml = scene(mesh("\n<bsdf type=\"disney\"/>"), "path_mis");
+  const std::string xml = scene(mesh("\n<bsdf type=\"disney\"/>"), "vol_path");
   EXPECT_EQ(files.warnings(xml, with(integrators::normals)),
-            "f.xml:1:9: warning: laver has no integrator of type \"path_mis\": expected "
-            "\"normals\", \"direct_whitted\", \"depth\", \"av\", \"ao\" or \"geometric_normals\" "
-            "(nearest: \"normals\"); nor is there a file path_mis.glsl beside the scene; "
+            "f.xml:1:9: warning: laver has no integrator of type \"vol_path\": expected "
+            "\"normals\", \"direct_whitted\", \"depth\", \"av\", \"ao\", \"geometric_normals\", "
+            "\"whitted\", \"direct\", \"direct_ems\", \"direct_mats\", \"direct_mis\", "
+            "\"path_ems\", \"path_mats\" or \"path_mis\" "
+            "(nearest: \"depth\"); nor is there a file vol_path.glsl beside the scene; "
             "ignored, "
             "integrator \"normals\" does not need it\n"
             "f.xml:3:2: warning: laver has no bsdf of type \"disney\": expected " +

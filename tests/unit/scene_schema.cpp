@@ -44,7 +44,9 @@ std::string sceneOf(const json& element, const std::string& type, const std::str
                          "</texture></bsdf>",
                          type, properties)));
   // Where a background is seen, it must be named, and a warning says what it does not do.
-  const bool background = type == "environment" || type == "envmap" || type == "constant";
+  if (type == "area") return scene(mesh(object), "path_mis");
+  const bool background =
+      type == "environment" || type == "envmap" || type == "constant" || type == "distantdisk";
   return scene(place == "mesh" ? mesh(object) : object, background ? "normals" : "direct_whitted");
 }
 

@@ -86,7 +86,7 @@ TEST(SceneSchema, IntegratorNamesAreThoseOfTheTable) {
     ASSERT_NE(row, nullptr) << name;
     EXPECT_EQ(row->name, name);
   }
-  EXPECT_EQ(rowCalled(integratorRows(), "path_mis"), nullptr);
+  EXPECT_EQ(rowCalled(integratorRows(), "vol_path"), nullptr);
 }
 
 TEST(SceneDescribe, EmptySceneIsTheHandOuts) {

@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "reference/emitter.h"
+#include "reference/openness.h"
 #include "reference/texture.h"
 
 namespace laver::reference {
@@ -17,5 +18,11 @@ glm::dvec3 environment(const Environment& environment, const glm::dvec3& directi
                                              longitude / (2 * pi) * widthOf(*environment.image),
                                              colatitude / pi * heightOf(*environment.image), false);
 }
+
+DirectionSample environmentDirection(const Environment&, glm::dvec2 numbers) {
+  return {onSphere(numbers), 0.25 / std::numbers::pi};
+}
+
+double environmentDensity(const Environment&, const glm::dvec3&) { return 0.25 / std::numbers::pi; }
 
 }  // namespace laver::reference

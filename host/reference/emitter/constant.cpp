@@ -1,0 +1,18 @@
+#include <numbers>
+
+#include "reference/emitter.h"
+#include "reference/openness.h"
+
+namespace laver::reference {
+
+glm::dvec3 constant(const Environment& environment, const glm::dvec3&) {
+  return environment.radiance;
+}
+
+DirectionSample constantDirection(const Environment&, glm::dvec2 numbers) {
+  return {onSphere(numbers), 0.25 / std::numbers::pi};
+}
+
+double constantDensity(const Environment&, const glm::dvec3&) { return 0.25 / std::numbers::pi; }
+
+}  // namespace laver::reference

@@ -1,0 +1,136 @@
+// The light sources of light sampling.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/error.h"
+#include "image/picture.h"
+#include "render/pack_parts.h"
+
+namespace laver {
+namespace {
+
+using glm::dvec3;
+using glm::vec3;
+
+/// Random numbers are multiples of 2^-23 (unitFloat()), and so are the sums of probabilities.
+constexpr double kSteps = 0x1p23;
+
+struct Weighed {
+  shared::Source source;
+  double power;
+};
+
+double luminance(const dvec3& rgb) { return glm::dot(rgb, dvec3(0.2126, 0.7152, 0.0722)); }
+
+double areaOf(const shared::Triangle& t) {
+  if (t.flipped == shared::IS_SPHERE) return 4.0 * std::numbers::pi * double{t.b.x} * double{t.b.x};
+  return 0.5 * glm::length(glm::cross(dvec3(t.b) - dvec3(t.a), dvec3(t.c) - dvec3(t.a)));
+}
+
+/// Of all directions, in the mean.
+double radianceOf(const Environment& environment) {
+  const double all = luminance(environment.radiance);
+  if (environment.row == &emitters::distantdisk)
+    return all * 0.5 * (1.0 - std::cos(environment.angle * std::numbers::pi / 180.0));
+  return environment.image ? all * meanLuminance(*environment.image, environment.raw) : all;
+}
+
+/// Flux through the sphere around the scene, of half its box's diagonal.
+double powerOf(const Environment& environment, const Bounds& bounds, double scale) {
+  const double radius = 0.5 * glm::length(bounds.hi - bounds.lo) * scale;
+  return radianceOf(environment) * 4.0 * std::numbers::pi * std::numbers::pi * radius * radius;
+}
+
+/// The mesh that each slot's primitive belongs to.
+std::vector<std::uint32_t> meshesOf(const Scene& scene, const Bvh& bvh) {
+  std::vector<std::uint64_t> ends;
+  std::uint64_t count = 0;
+  for (const Mesh& mesh : scene.meshes) ends.push_back(count += mesh.primitives());
+  std::vector<std::uint32_t> meshes;
+  for (const shared::Triangle& t : bvh.triangles)
+    meshes.push_back(static_cast<std::uint32_t>(
+        std::upper_bound(ends.begin(), ends.end(), std::uint64_t{t.id}) - ends.begin()));
+  return meshes;
+}
+
+/// Primitives of meshes that emit, in file order.
+std::vector<Weighed> primitives(const Scene& scene, const Bvh& bvh) {
+  const std::vector<std::uint32_t> meshes = meshesOf(scene, bvh);
+  std::vector<std::uint32_t> slots;
+  for (std::uint32_t slot = 0; slot < meshes.size(); ++slot)
+    if (scene.meshes[meshes[slot]].light) slots.push_back(slot);
+  std::sort(slots.begin(), slots.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return bvh.triangles[a].id < bvh.triangles[b].id;
+  });
+  std::vector<Weighed> all;
+  for (const std::uint32_t slot : slots)
+    all.push_back({{shared::SOURCE_PRIMITIVE, slot, 0.0F, 0.0F},
+                   std::numbers::pi * luminance(scene.meshes[meshes[slot]].light->radiance) *
+                       areaOf(bvh.triangles[slot])});
+  return all;
+}
+
+/// Sums of probabilities in multiples of 2^-23, so that each source is drawn exactly as often as
+/// its probability says; a source with power has at least one step.
+std::vector<shared::Source> distributed(const std::vector<Weighed>& all, double total) {
+  if (static_cast<double>(all.size()) > kSteps / 2)
+    throw Error(ExitCode::Device,
+                "light sampling draws from 4,194,304 light sources at most, "
+                "found " +
+                    std::to_string(all.size()));
+  std::vector<shared::Source> sources;
+  double sum = 0.0, upper = 0.0;
+  auto left = static_cast<double>(all.size());
+  for (const Weighed& weighed : all) {
+    sum += weighed.power;
+    left -= 1.0;
+    const double wanted = std::round(sum / total * kSteps);
+    const double next = std::clamp(wanted, upper + 1.0, kSteps - left);
+    sources.push_back(weighed.source);
+    sources.back().upper = static_cast<float>(next / kSteps);
+    sources.back().probability = static_cast<float>((next - upper) / kSteps);
+    upper = next;
+  }
+  if (!sources.empty()) {
+    sources.back().probability += static_cast<float>((kSteps - upper) / kSteps);
+    sources.back().upper = 1.0F;
+  }
+  return sources;
+}
+
+}  // namespace
+
+void packSources(const Scene& scene, Packed& packed) {
+  std::vector<Weighed> all;
+  for (std::uint32_t i = 0; i < packed.lights.size(); ++i)
+    all.push_back({{shared::SOURCE_POINT, i, 0.0F, 0.0F},
+                   4.0 * std::numbers::pi * luminance(dvec3(packed.lights[i].radiance))});
+  const std::size_t background = all.size();
+  if (scene.environment)
+    all.push_back({{shared::SOURCE_BACKGROUND, 0, 0.0F, 0.0F},
+                   powerOf(*scene.environment, boundsOf(scene), packed.space.scale)});
+  for (const Weighed& primitive : primitives(scene, packed.bvh)) all.push_back(primitive);
+
+  double total = 0.0;
+  for (const Weighed& weighed : all) total += weighed.power;
+  for (const Mesh& mesh : scene.meshes) {
+    const dvec3 radiance = mesh.light ? mesh.light->radiance : dvec3(0.0);
+    const double density = total > 0.0 ? std::numbers::pi * luminance(radiance) / total : 0.0;
+    packed.emission.push_back({vec3(radiance), static_cast<float>(density)});
+  }
+  // Sources without power are never drawn.
+  std::vector<Weighed> powerful;
+  std::optional<std::size_t> sky;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!(all[i].power > 0.0)) continue;
+    if (scene.environment && i == background) sky = powerful.size();
+    powerful.push_back(all[i]);
+  }
+  packed.sources = distributed(powerful, total);
+  packed.params.sources = static_cast<std::uint32_t>(packed.sources.size());
+  packed.params.backgroundProbability = sky ? packed.sources[*sky].probability : 0.0F;
+}
+
+}  // namespace laver

@@ -1,0 +1,137 @@
+// Integrators whose rays bounce: the same paths as their twins in double precision, and furnaces.
+#include <cmath>
+
+#include "pictures/harness.h"
+#include "reference/reference.h"
+#include "support/bumpy_sphere.h"
+
+namespace laver::test {
+namespace {
+
+Mesh quad(const std::array<glm::dvec3, 4>& corners, const glm::dvec3& albedo) {
+  Mesh mesh;
+  mesh.positions.assign(corners.begin(), corners.end());
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  mesh.bsdf.albedo = albedo;
+  return mesh;
+}
+
+Mesh ball(const glm::dvec3& centre, double radius, const BsdfRow& bsdf) {
+  Mesh mesh;
+  mesh.sphere = Sphere{centre, radius};
+  mesh.bsdf = {.row = &bsdf, .albedo = glm::dvec3(0.5, 0.7, 0.9)};
+  return mesh;
+}
+
+const BsdfRow& bsdfCalled(const char* name) { return *rowCalled(bsdfRows(), name); }
+
+/// A room open to the front with a lamp, a mirror, a glass and a glowing ball, a point light and a
+/// background.
+Scene room(const IntegratorRow& integrator) {
+  Scene scene;
+  scene.integrator = {&integrator};
+  const double a = 1.0;
+  scene.meshes = {quad({{{-a, -a, -a}, {-a, -a, a}, {a, -a, a}, {a, -a, -a}}}, {0.7, 0.7, 0.7}),
+                  quad({{{-a, -a, a}, {-a, a, a}, {a, a, a}, {a, -a, a}}}, {0.6, 0.6, 0.7}),
+                  quad({{{-a, -a, -a}, {-a, a, -a}, {-a, a, a}, {-a, -a, a}}}, {0.7, 0.2, 0.2}),
+                  quad({{{-0.3, 0.9, -0.3}, {0.3, 0.9, -0.3}, {0.3, 0.9, 0.3}, {-0.3, 0.9, 0.3}}},
+                       {0.2, 0.2, 0.2}),
+                  ball({-0.4, -0.6, 0.3}, 0.4, bsdfCalled("mirror")),
+                  ball({0.4, -0.6, -0.2}, 0.38, bsdfCalled("dielectric")),
+                  ball({0.6, 0.3, 0.5}, 0.2, bsdfs::diffuse)};
+  scene.meshes[3].light = AreaLight{{8.0, 7.0, 5.0}};
+  scene.meshes[6].light = AreaLight{{0.5, 1.0, 2.0}};
+  scene.lights = {{{-0.8, 0.5, -0.8}, {0.4, 0.2, 0.2}}};
+  scene.environment = Environment{};
+  scene.environment->row = &emitters::constant;
+  scene.environment->radiance = {0.1, 0.2, 0.3};
+  scene.camera.toWorld[3] = glm::dvec4(0.0, 0.0, -3.5, 1.0);
+  scene.camera.fov = 40.0;
+  scene.camera.width = 48;
+  scene.camera.height = 40;
+  scene.sampler.sampleCount = 3;
+  return scene;
+}
+
+std::vector<const IntegratorRow*> bouncing() {
+  std::vector<const IntegratorRow*> rows;
+  for (const IntegratorRow* row : integratorRows())
+    if (row->bounces) rows.push_back(row);
+  return rows;
+}
+
+class Paths : public testing::TestWithParam<const IntegratorRow*> {};
+
+/// A sample is another one where rounding decides otherwise: which side of an edge a ray passes, or
+/// whether roulette ends it. Floats' directions are off by 1e-7, so that a few paths in a thousand
+/// do, after some bounces; a pixel shows the samples of 25 pixels.
+TEST_P(Paths, AreThoseOfTheTwin) {
+  const Scene scene = room(*GetParam());
+  const Image image = render(scene);
+  const Image wanted = Reference(scene).render().image;
+  std::size_t beyond = 0;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    sum += static_cast<double>(wanted.pixels[i]);
+    if (!(std::abs(image.pixels[i] - wanted.pixels[i]) <= 1e-4F * (1.0F + wanted.pixels[i])))
+      ++beyond;
+  }
+  EXPECT_GT(sum, 0.0);
+  EXPECT_LE(static_cast<double>(beyond), 0.03 * static_cast<double>(image.pixels.size()));
+}
+
+TEST_P(Paths, HaveTheSameBitsByEveryTraversal) {
+  const Scene scene = room(*GetParam());
+  const Image image = render(scene, onTestDevice("lane"));
+  for (const std::string& traversal : traversals())
+    EXPECT_EQ(render(scene, onTestDevice(traversal)).pixels, image.pixels) << traversal;
+}
+
+INSTANTIATE_TEST_SUITE_P(Integrators, Paths, testing::ValuesIn(bouncing()),
+                         [](const auto& row) { return std::string(row.param->name); });
+
+double meanOf(const Image& image) {
+  double sum = 0.0;
+  for (const float value : image.pixels) sum += static_cast<double>(value);
+  return sum / static_cast<double>(image.pixels.size());
+}
+
+/// A white ball under a white sky cannot be told from it.
+TEST(Furnace, AWhiteBallUnderAWhiteSkyIsWhite) {
+  Scene scene = room(*rowCalled(integratorRows(), "path_mats"));
+  scene.meshes = {ball({0.0, 0.0, 0.0}, 1.0, bsdfs::diffuse)};
+  scene.meshes[0].bsdf.albedo = glm::dvec3(1.0);
+  scene.lights.clear();
+  scene.environment->radiance = glm::dvec3(1.0);
+  for (const float value : render(scene).pixels) EXPECT_NEAR(value, 1.0F, 1e-5F);
+}
+
+/// Walls of albedo 1/2 that emit 1/2: each point sends 1 in all directions. The mean of n samples
+/// with standard deviation s lies within 4 s / sqrt(n) but for one case in 15,000.
+TEST(Furnace, InAClosedRoomEachPointSendsOne) {
+  for (const char* name : {"path_mats", "path_ems", "path_mis"}) {
+    Scene scene = room(*rowCalled(integratorRows(), name));
+    scene.meshes = {bumpySphere(12, 20, 0.0, glm::dvec3(0.0))};
+    for (glm::uvec3& t : scene.meshes[0].triangles) std::swap(t.x, t.y);
+    scene.meshes[0].bsdf.albedo = glm::dvec3(0.5);
+    scene.meshes[0].light = AreaLight{glm::dvec3(0.5)};
+    scene.lights.clear();
+    scene.environment.reset();
+    scene.camera.toWorld[3] = glm::dvec4(0.0, 0.0, -0.5, 1.0);
+    scene.filter = filterOf(*rowCalled(filterRows(), "box"));
+    scene.sampler.sampleCount = 16;
+    const Image image = render(scene);
+    const double mean = meanOf(image);
+    double squares = 0.0;
+    for (const float value : image.pixels)
+      squares += std::pow(static_cast<double>(value) - mean, 2);
+    // Three channels of a pixel are one sample.
+    const double pixels = static_cast<double>(image.pixels.size()) / 3.0;
+    const double deviation = std::sqrt(squares / static_cast<double>(image.pixels.size()) / pixels);
+    EXPECT_NEAR(mean, 1.0, 4.0 * deviation) << name;
+    EXPECT_LT(deviation, 0.02) << name;
+  }
+}
+
+}  // namespace
+}  // namespace laver::test
