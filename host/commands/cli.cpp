@@ -55,6 +55,8 @@ void addOverrides(CLI::App& app, SceneCommand& command) {
           [&overrides](const SamplerRow* row) { overrides.sampler = row; });
   addName(app, "--filter", "reconstruction filter: ", namesIn(filterRows()),
           [&overrides](const FilterRow* row) { overrides.filter = row; });
+  addName(app, "--dialect", "course whose meaning the scene has: ", namesIn(dialects()),
+          [&overrides](const Dialect* dialect) { overrides.dialect = dialect; });
 }
 
 /// How a scene is rendered.

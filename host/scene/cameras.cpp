@@ -60,6 +60,7 @@ void buildPerspective(const Properties& given, std::string_view, Draft& draft) {
   Camera& camera = draft.scene.camera;
   const auto& size = draft.overrides.size;
   camera.toWorld = given.transform("toWorld");
+  if (draft.overrides.dialect->mirrored) camera.toWorld[0] = -camera.toWorld[0];
   camera.width = static_cast<int>(given.integer("width", size ? Pixels(size->x) : Pixels()));
   camera.height = static_cast<int>(given.integer("height", size ? Pixels(size->y) : Pixels()));
   camera.fov = given.real("fov");

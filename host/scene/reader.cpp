@@ -45,6 +45,9 @@ void Reader::readScene(pugi::xml_node root) {
   auto& lights = draft_.scene.lights;
   lights.insert(lights.end(), draft_.meshLights.begin(), draft_.meshLights.end());
   checkAreaLights();
+  if (draft_.overrides.dialect->emittersAbsorb)
+    for (MeshDraft& mesh : draft_.meshes)
+      if (mesh.light) mesh.bsdf = Bsdf{.row = &bsdfs::diffuse, .albedo = glm::dvec3(0.0)};
 }
 
 void Reader::checkAreaLights() {

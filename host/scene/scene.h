@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/cameras.h"
+#include "scene/dialects.h"
 #include "scene/emitters.h"
 #include "scene/filters.h"
 #include "scene/integrators.h"
@@ -57,6 +58,7 @@ struct SceneOverrides {
   std::optional<std::int64_t> seed;
   std::optional<glm::ivec2> size;     ///< width, height in pixels
   bool shading = false;               ///< materials and lights are needed, whatever the integrator
+  const Dialect* dialect = dialects().front();
   bool noriCompat = false;            ///< textures of 8 and 16 bits are taken for linear
   const FilterRow* filter = nullptr;  ///< with the scene's parameters where it has that filter
 };
