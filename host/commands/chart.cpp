@@ -40,7 +40,7 @@ std::vector<chart::Peer> peersOf(const ChartCommand& command) {
   return peers;
 }
 
-/// 256 pixels wide, in the scene's shape.
+/// 256 pixels wide, with the aspect ratio of the scene's film.
 glm::ivec2 defaultSize(const Camera& camera) {
   const double height = std::round(256.0 * camera.height / camera.width);
   return {256, std::max(1, static_cast<int>(height))};

@@ -27,26 +27,26 @@ void addDevice(CLI::App& app, VulkanOptions& vulkan) {
   app.add_option("--traversal", vulkan.traversal, "lane, packet, packet32 or packet64");
 }
 
-/// A name of the table, or a file of the user's own.
+/// The name of a table row, or a user's file.
 Names<IntegratorUse> integratorNames() {
   const auto find = [](const std::string& name) -> std::optional<IntegratorUse> {
     if (name.ends_with(".glsl")) return userIntegrator(name);
     const IntegratorRow* row = rowCalled(integratorRows(), name);
     return row == nullptr ? std::nullopt : std::optional(IntegratorUse{row});
   };
-  return {find, namesOf(integratorRows()) + ", or a file FILE.glsl of one's own"};
+  return {find, namesOf(integratorRows()) + ", or a file FILE.glsl"};
 }
 
-/// What replaces a part of the scene.
+/// Options that override parts of the scene.
 void addOverrides(CLI::App& app, SceneCommand& command) {
   SceneOverrides& overrides = command.overrides;
-  app.add_option("--spp", overrides.sampleCount, "samples a pixel")
+  app.add_option("--spp", overrides.sampleCount, "samples per pixel")
       ->check(CLI::Range(1U, kMaxSamples));
   app.add_option("--seed", overrides.seed, "seed of the sampler");
   addSize(app, overrides.size, "size of the film in pixels");
   const Names<IntegratorUse> integrators = integratorNames();
   addNames(app, "--integrator",
-           integrators.all + "; further ones, after commas, go beside it as layers", integrators,
+           integrators.all + "; further ones, separated by commas, become layers", integrators,
            [&command](const std::vector<IntegratorUse>& all) {
              command.overrides.integrator = all.front();
              command.options.more.assign(all.begin() + 1, all.end());
@@ -59,13 +59,13 @@ void addOverrides(CLI::App& app, SceneCommand& command) {
           [&overrides](const Dialect* dialect) { overrides.dialect = dialect; });
 }
 
-/// How a scene is rendered.
+/// Options of a render, apart from its files.
 void addSceneCommand(CLI::App& app, SceneCommand& command) {
   RenderOptions& options = command.options;
   addOverrides(app, command);
   app.add_option("--error", options.error,
                  "adaptive sampling: stop where a pixel's standard error, 1 being white, is below "
-                 "E; --spp is the most a pixel gets")
+                 "E; --spp is the maximum per pixel")
       ->type_name("E")
       ->check(CLI::PositiveNumber & CLI::Range(0.0, 1e6));
   addNames(app, "--layers", "layers of the EXR file: " + namesOf(layerRows(), ", "),
@@ -73,7 +73,7 @@ void addSceneCommand(CLI::App& app, SceneCommand& command) {
   addCrop(app, options.crop);
   addDevice(app, command.vulkan);
   app.add_flag("--nori-compat", options.noriCompat,
-               "as Nori: filter weights from a table, pictures of 8 bits taken for linear");
+               "as Nori: filter weights from a table, 8-bit pictures read as linear");
   addThreads(app, options.threads);
 }
 
@@ -81,13 +81,14 @@ void addRender(CLI::App& app, RenderCommand& command) {
   app.add_option("SCENE.xml", command.scene, "Nori scene, or a picture, FILE.exr, to view")
       ->type_name("");
   addSceneCommand(app, command);
-  app.add_option("-o,--output,--outfile", command.output, "picture to write; a .png goes beside it")
+  app.add_option("-o,--output,--outfile", command.output,
+                 "picture to write, with a .png of the same name")
       ->type_name("OUT.exr");
   app.add_flag("--reference", command.reference, "render in double precision on the CPU");
   app.add_flag("--resume", command.resume,
-               "go on from OUT.state.exr if there is one, and leave one to go on from");
-  app.add_flag("--validate", command.vulkan.validate, "make every validation message an error");
-  app.add_flag("--stats{-}", command.stats, "print figures to stderr, or write them to a file")
+               "continue from OUT.state.exr if it exists, and write one to continue from");
+  app.add_flag("--validate", command.vulkan.validate, "treat every validation message as an error");
+  app.add_flag("--stats{-}", command.stats, "print statistics to stderr, or write them to a file")
       ->option_text("[=FILE.json]");
   app.add_option_function<std::string>(
          "--display-server",
@@ -98,7 +99,7 @@ void addRender(CLI::App& app, RenderCommand& command) {
   app.add_flag("--gui", command.gui, "show the picture in a window while it renders");
   app.add_flag_callback(
       "-b,--nogui,--no-gui", [&] { command.gui = false; },
-      "no window, whatever --gui says; the default");
+      "no window, even with --gui; the default");
 }
 
 void addPlan(CLI::App& app, PlanCommand& command) {
@@ -112,7 +113,7 @@ void addCompare(CLI::App& app, CompareCommand& command) {
   app.add_option("B.exr", command.b, "reference")->type_name("")->required();
   app.add_option("--tolerance", command.tolerance,
                  "exit code 5 if the metric of a channel is beyond it");
-  app.add_option("--metric", command.metric, "what the tolerance bounds")
+  app.add_option("--metric", command.metric, "metric that the tolerance bounds")
       ->check(CLI::IsMember({"max", "p999", "rmse", "relmse"}));
   app.add_option("--out", command.out, "folder for difference.exr and difference.png")
       ->type_name("DIR");
@@ -125,7 +126,7 @@ void addExplain(CLI::App& app, ExplainCommand& command) {
 
 void addView(CLI::App& app, ViewCommand& command) {
   app.add_option("A.exr", command.a, "picture")->type_name("")->required();
-  app.add_option("B.exr", command.b, "picture to hold against it")->type_name("");
+  app.add_option("B.exr", command.b, "picture to compare it with")->type_name("");
   app.footer(viewKeys());
 }
 
@@ -134,7 +135,7 @@ void addChart(CLI::App& app, ChartCommand& command) {
   app.add_option("--out", command.out, "folder of the chart; default SCENE-chart beside the scene")
       ->type_name("DIR");
   addSize(app, command.size, "size of the film in pixels; default 256 wide");
-  app.add_option("--device", command.device, "as in rendering");
+  app.add_option("--device", command.device, "as for rendering");
   addThreads(app, command.threads);
   app.add_option("--runs", command.runs, "renders of each point; the median counts")
       ->check(CLI::Range(1U, 1000U));
@@ -156,7 +157,7 @@ void addSchema(CLI::App& app, SchemaCommand& command) {
       ->excludes(app.add_flag("--markdown", command.markdown, "as tables of a Markdown document"));
 }
 
-/// Adds a subcommand; where it is given, it is the job.
+/// Adds a subcommand; if it is given, it becomes the job.
 template <class Command>
 void addSubcommand(CLI::App& app, const char* name, const char* meaning,
                    void (*addOptions)(CLI::App&, Command&), Job& job) {
@@ -180,13 +181,12 @@ Job parse(int argc, const char* const* argv) {
   addSubcommand(app, "explain", "Renders a scene and explains each difference from the reference",
                 addExplain, job);
   addSubcommand(app, "view", "Shows one or two pictures in a window", addView, job);
-  addSubcommand(app, "chart", "Draws speed against accuracy of all ways to render a scene",
+  addSubcommand(app, "chart", "Draws speed against accuracy for every way to render a scene",
                 addChart, job);
   addSubcommand(app, "devices", "Lists Vulkan devices", addNothing, job);
-  addSubcommand(app, "plan",
-                "Prints how a scene would be rendered, what is left out and why, without rendering",
+  addSubcommand(app, "plan", "Prints how a scene would be rendered, what is left out and why",
                 addPlan, job);
-  addSubcommand(app, "schema", "Lists all that a scene file may hold", addSchema, job);
+  addSubcommand(app, "schema", "Lists everything that a scene file may contain", addSchema, job);
   app.require_subcommand(0, 1);
   try {
     app.parse(argc, argv);

@@ -8,7 +8,7 @@ namespace laver {
 using Job = std::variant<RenderCommand, PlanCommand, CompareCommand, ExplainCommand, ViewCommand,
                          ChartCommand, DevicesCommand, SchemaCommand, HelpCommand>;
 
-/// What the command line asks for. Throws Error(Usage) with one line.
+/// Parses the command line. Throws Error(Usage) with one line.
 Job parse(int argc, const char* const* argv);
 
 }  // namespace laver

@@ -14,14 +14,14 @@
 #include "scene/layers.h"
 #include "scene/rows.h"
 
-// Options whose values are more than a number or a text: names of tables, sizes.
+// Options whose values are names of table rows, sizes or crops.
 namespace laver {
 
-/// Names for values of a kind.
+/// The names of values of type T.
 template <class T>
 struct Names {
   std::function<std::optional<T>(const std::string& name)> find;
-  std::string all;  ///< listed
+  std::string all;  ///< all names, for messages
 };
 
 template <class Row>
@@ -51,7 +51,7 @@ inline CLI::Validator hasForm(const char* pattern, const char* expected) {
   return {check, ""};
 }
 
-/// An option that takes one name of a table.
+/// An option whose value is one name.
 template <class T, class Take>
 void addName(CLI::App& app, const std::string& option, const std::string& meaning,
              const Names<T>& names, Take take) {
@@ -61,7 +61,7 @@ void addName(CLI::App& app, const std::string& option, const std::string& meanin
       ->type_name("NAME");
 }
 
-/// An option that takes some names of a table, with commas between, each once.
+/// An option whose value is a list of different names, separated by commas.
 template <class T, class Take>
 void addNames(CLI::App& app, const std::string& option, const std::string& meaning,
               const Names<T>& names, Take take) {

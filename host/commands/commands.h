@@ -10,15 +10,15 @@
 #include "scene/scene.h"
 #include "show/connection.h"
 
-// host/commands is laver's command line: cli.h turns arguments into one of the structs below, and
-// each subcommand is a function run() in a file of its own, which the rest of the host knows
-// nothing of. What they share: scenes (scene_command.h), files of a render (output.h, resume.h),
-// observers of a render (observers.h), and the process (process.h).
+// host/commands is laver's command line. cli.h parses the arguments into one of the structs below,
+// and each subcommand is a function run() in its own file. Shared parts: loading scenes
+// (scene_command.h), the files of a render (output.h, resume.h), observers of a render
+// (observers.h), and the process (process.h). The rest of the host does not depend on this folder.
 namespace laver {
 
 struct DeviceInfo;
 
-/// A scene and how it is to be rendered.
+/// A scene and the options with which to render it.
 struct SceneCommand {
   std::string scene;
   SceneOverrides overrides;
@@ -30,11 +30,11 @@ struct SceneCommand {
 struct RenderCommand : SceneCommand {
   std::string output;  ///< EXR; empty: beside the scene
   bool reference = false;
-  bool resume = false;  ///< keep the sums and go on from those that are there
-  std::string stats;    ///< file of figures; kToStderr: standard error; empty: none
+  bool resume = false;  ///< keep the sums, and continue from existing ones
+  std::string stats;    ///< file of statistics; kToStderr: standard error; empty: none
   bool quiet = false;
   bool gui = false;                            ///< show the picture in a window
-  std::optional<ViewerAddress> displayServer;  ///< of a viewer that shows the picture grow
+  std::optional<ViewerAddress> displayServer;  ///< of a viewer that shows the render in progress
 
   static constexpr const char* kToStderr = "-";
 };
@@ -47,8 +47,8 @@ struct PlanCommand : SceneCommand {
 /// `laver compare A.exr B.exr`.
 struct CompareCommand {
   std::string a, b;
-  std::optional<double> tolerance;  ///< beyond it is ExitCode::Different
-  std::string metric = "max";       ///< what the tolerance bounds: max, p999, rmse or relmse
+  std::optional<double> tolerance;  ///< exceeding it means ExitCode::Different
+  std::string metric = "max";       ///< that the tolerance bounds: max, p999, rmse or relmse
   std::string out;                  ///< folder for pictures of the difference; empty: none
 };
 
@@ -90,21 +90,21 @@ struct HelpCommand {
   std::string text;
 };
 
-/// Throws what it cannot do; an interrupted render throws Error(Interrupted) or Error(Terminated)
-/// after what there is has been written under another name.
+/// Throw Error. An interrupted render throws Error(Interrupted) or Error(Terminated) after writing
+/// its partial result under another name.
 ExitCode run(const RenderCommand& command);
 ExitCode run(const PlanCommand& command);
 ExitCode run(const CompareCommand& command);
 ExitCode run(const ExplainCommand& command);
-/// Throws Error(Device) where there can be no window.
+/// Throws Error(Device) if no window can be opened.
 ExitCode run(const ViewCommand& command);
 ExitCode run(const ChartCommand& command);
 ExitCode run(const DevicesCommand& command);
 ExitCode run(const SchemaCommand& command);
 ExitCode run(const HelpCommand& command);
 
-/// Aligned lines about a device: what it is, the limits laver depends on, and why it cannot be
-/// used, if it cannot. `isDefault` says whether laver takes it unasked.
+/// Aligned lines about a device: its properties, the limits that laver depends on, and why it is
+/// rejected, if it is. `isDefault` means that laver selects it by default.
 std::string describe(const DeviceInfo& device, std::size_t index, bool isDefault);
 
 }  // namespace laver

@@ -19,7 +19,7 @@ double valueOf(const ChannelDifference& d, const std::string& metric) {
   return d.maximum;
 }
 
-/// Writes FOLDER/difference.exr and .png, and makes the folder where there is none.
+/// Writes FOLDER/difference.exr and .png, and creates the folder if needed.
 void writeDifference(const CompareCommand& command, const Image& a, const Image& b) {
   namespace fs = std::filesystem;
   const fs::path folder = command.out;

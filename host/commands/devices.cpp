@@ -57,7 +57,7 @@ ExitCode run(const DevicesCommand& /*command*/) {
   for (const VkPhysicalDevice device : instance.devices()) devices.push_back(deviceInfo(device));
   const bool usable = std::any_of(devices.begin(), devices.end(),
                                   [](const DeviceInfo& d) { return rejection(d).empty(); });
-  // Where there is no device at all, chooseDevice says so.
+  // chooseDevice() throws if there is no device at all.
   const std::size_t chosen = usable || devices.empty() ? chooseDevice(devices, "") : devices.size();
   for (std::size_t i = 0; i < devices.size(); ++i)
     std::cout << (i == 0 ? "" : "\n") << describe(devices[i], i, i == chosen);

@@ -8,7 +8,7 @@
 
 namespace laver {
 
-/// A difference that nothing explains is as bad as one beyond a tolerance.
+/// An unexplained difference has the exit code of one that exceeds a tolerance.
 ExitCode run(const ExplainCommand& command) {
   const Scene scene = sceneOf(command.scene);
   const Explanation explanation = explain(scene, scene, command.vulkan);

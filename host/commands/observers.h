@@ -9,8 +9,8 @@
 
 namespace laver {
 
-/// A line on stderr with the share done, elapsed and remaining time; only on a terminal, and at
-/// most ten times a second. Its end wipes the line.
+/// A line on stderr with the finished share, elapsed and remaining time; only on a terminal, and at
+/// most ten times per second. The destructor erases the line.
 class Progress : public Observer {
  public:
   explicit Progress(bool wanted);
@@ -20,7 +20,7 @@ class Progress : public Observer {
 
   void progress(double share, std::uint64_t samples) override;
   void finished(const Image& /*picture*/) override { wipe(); }
-  /// Makes room for a line of something else.
+  /// Erases the line, before something else is printed.
   void wipe();
 
  private:
@@ -33,7 +33,7 @@ class Progress : public Observer {
 /// Shows a render in a window.
 class WindowReport : public Observer {
  public:
-  /// The picture is black at first.
+  /// Adds a black picture to `pictures`.
   WindowReport(ViewedPictures& pictures, const std::string& name, int width, int height);
 
   void started(const std::string& device) override { last_.device = device; }
@@ -49,13 +49,13 @@ class WindowReport : public Observer {
 
   ViewedPictures& pictures_;
   const Clock::time_point start_ = Clock::now();
-  ViewedPictures::Rendering first_, last_;  ///< from the first on the device is at work
+  ViewedPictures::Rendering first_, last_;  ///< first_: the first report after the start
   std::uint64_t firstSamples_ = 0;
 };
 
-/// Runs `render` on a thread of its own and shows in a window what it adds to the pictures, until
-/// the window is closed, which ends a render as Ctrl-C does, or `render` throws. Without a window
-/// there is a warning. Returns or throws what `render` does.
+/// Runs `render` on another thread, and shows the pictures that it adds in a window, until the
+/// window is closed, which stops the render as Ctrl-C does, or `render` throws. If no window can be
+/// opened, warns and renders without one. Returns or throws what `render` does.
 ExitCode runInWindow(const std::string& title,
                      const std::function<ExitCode(ViewedPictures&)>& render);
 

@@ -18,7 +18,7 @@
 namespace laver {
 namespace {
 
-/// A pipe has been read and holds its bytes no more.
+/// Hash of a regular file; a pipe cannot be read a second time.
 std::string fileHash(const std::string& file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return "none: not a regular file";
@@ -102,7 +102,7 @@ void writeStats(const RenderCommand& command, const Stats& stats) {
     replaceFile(command.stats, std::as_bytes(std::span(text)));
     return;
   }
-  std::ofstream file(command.stats);  // such as a pipe
+  std::ofstream file(command.stats);  // for example a pipe
   if (!(file << text).flush()) throw Error(ExitCode::Output, command.stats + ": cannot be written");
 }
 

@@ -25,7 +25,8 @@ void handle(int signal) {
   if (old.sa_handler == SIG_IGN) return;
   struct sigaction action {};
   action.sa_handler = note;
-  // The second one finds the default again; reads and writes go on after the first.
+  // A second signal has its default effect. Interrupted reads and writes are restarted after the
+  // first.
   action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
   sigaction(signal, &action, nullptr);
 }

@@ -4,11 +4,12 @@
 #include "core/error.h"
 #include "render/observer.h"
 
-// What the operating system shares with the process: signals, standard streams, memory.
+// The process: signals, standard streams, memory.
 namespace laver {
 
-/// While it lives, SIGINT and SIGTERM are noted instead of ending the process; the second of a kind
-/// ends it at once. A signal that the process was started to ignore stays ignored. One at a time.
+/// During its lifetime, SIGINT and SIGTERM are recorded instead of ending the process; a second
+/// signal of the same kind ends it at once. A signal that the parent had set to be ignored stays
+/// ignored. Only one object may exist at a time.
 class Interruption : public Observer {
  public:
   Interruption();
@@ -18,23 +19,23 @@ class Interruption : public Observer {
 
   bool stop() override { return noted(); }
 
-  /// Whether one of the two came.
+  /// Whether one of the signals has arrived.
   static bool noted();
-  /// Does what Ctrl-C does, ignored or not.
+  /// Has the effect of Ctrl-C, even if SIGINT is ignored.
   static void request();
-  /// The exit code of what came first. Call it when one did.
+  /// The exit code for the first signal; only valid if noted().
   static ExitCode code();
 };
 
-/// Turns a closed pipe or a file beyond a limit into an error of the call that writes, and opens
-/// the standard descriptors that the process was started without, so that no file it opens takes
-/// their place; writing to them fails as before.
+/// Makes writing to a closed pipe or beyond a file-size limit fail with an error instead of a
+/// signal, and opens standard descriptors that the process was started without, so that no other
+/// file gets their numbers; writing to them fails as before.
 void prepareProcess();
 
-/// Throws Error(Output) if anything that was printed to std::cout could not be written.
+/// Throws Error(Output) if anything printed to std::cout could not be written.
 void flushStandardOutput();
 
-/// The largest resident size of the process so far.
+/// Peak resident size of the process, in bytes.
 std::uint64_t peakBytes();
 
 }  // namespace laver

@@ -24,7 +24,7 @@ double since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// As Nori prints durations.
+/// Formats a duration as Nori does.
 std::string timeText(double seconds) {
   if (seconds < 1.0) return fmt::format("{:.1f}ms", seconds * 1e3);
   if (seconds < 60.0) return fmt::format("{:.1f}s", seconds);
@@ -32,7 +32,7 @@ std::string timeText(double seconds) {
   return fmt::format("{:.1f}h", seconds / 3600.0);
 }
 
-/// A render that has ended, and what it leaves.
+/// The result of a render.
 struct Ended {
   Rendered rendered;
   FilmState state;
@@ -40,7 +40,7 @@ struct Ended {
   double seconds = 0.0;
 };
 
-/// Starts the device beside the loading of the scene; null for the reference.
+/// Starts the device, which continues while the scene is loaded. Null for the reference.
 std::unique_ptr<Renderer> startRenderer(const RenderCommand& command) {
   if (command.resume && command.reference)
     throw Error(ExitCode::Usage, "--resume goes with Vulkan renders, not with --reference");
@@ -51,32 +51,33 @@ std::unique_ptr<Renderer> startRenderer(const RenderCommand& command) {
   return std::make_unique<Renderer>(command.vulkan);
 }
 
-/// The viewer and the window that the command asks for; `viewed` may be null.
-std::vector<std::unique_ptr<Observer>> watchersOf(const RenderCommand& command,
-                                                  const Camera& camera, const std::string& name,
-                                                  ViewedPictures* viewed) {
-  std::vector<std::unique_ptr<Observer>> watchers;
+/// The viewer and the window that the command requests; `viewed` may be null.
+std::vector<std::unique_ptr<Observer>> viewersOf(const RenderCommand& command, const Camera& camera,
+                                                 const std::string& name, ViewedPictures* viewed) {
+  std::vector<std::unique_ptr<Observer>> viewers;
   if (command.displayServer)
-    watchers.push_back(std::make_unique<TevClient>(*command.displayServer, name));
+    viewers.push_back(std::make_unique<TevClient>(*command.displayServer, name));
   const Crop core = coreOf(camera, command.options);
   if (viewed != nullptr)
-    watchers.push_back(
+    viewers.push_back(
         std::make_unique<WindowReport>(*viewed, name, core.x1 - core.x0, core.y1 - core.y0));
-  return watchers;
+  return viewers;
 }
 
-/// The command's, and who follows the render. Adaptive sampling leaves its map beside the picture.
+/// The command's render options with observers. Adaptive sampling always adds the layer of sample
+/// counts.
 RenderOptions optionsOf(const RenderCommand& command, std::vector<Observer*> observers,
-                        const std::vector<std::unique_ptr<Observer>>& watchers) {
+                        const std::vector<std::unique_ptr<Observer>>& viewers) {
   RenderOptions options = command.options;
   if (options.error > 0.0 && !asks(options.layers, layers::samples))
     options.layers.push_back(&layers::samples);
   options.observers = std::move(observers);
-  for (const auto& watcher : watchers) options.observers.push_back(watcher.get());
+  for (const auto& viewer : viewers) options.observers.push_back(viewer.get());
   return options;
 }
 
-/// Renders with `renderer`, or the reference where it is null, from the sums in `state` on.
+/// Renders with `renderer`, or with the reference if it is null; continues from the sums in
+/// `state`.
 Ended renderWith(Renderer* renderer, const Scene& scene, const RenderOptions& options,
                  FilmState state) {
   Ended ended{{}, std::move(state), {}};
@@ -101,12 +102,13 @@ const char* const kNothing = "before the first pass; nothing is written";
 
 Error interrupted(const std::string& what) { return {Interruption::code(), "interrupted " + what}; }
 
-/// Where the picture goes: a.exr, or a.partial.exr if the render was ended early.
+/// The file of the picture: a.exr, or a.partial.exr if the render was stopped early.
 std::filesystem::path fileOf(const Rendered& rendered, std::filesystem::path exr) {
   return rendered.whole() ? exr : exr.replace_extension(".partial.exr");
 }
 
-/// Writes the picture and the sums; returns what to say about the sums.
+/// Writes the picture and the sums. Returns a text about the sums, for the message of an
+/// interruption.
 std::string write(const RenderCommand& command, const Scene& scene,
                   const std::filesystem::path& wanted, const Ended& ended) {
   const Rendered& rendered = ended.rendered;
@@ -120,11 +122,11 @@ std::string write(const RenderCommand& command, const Scene& scene,
                     !rendered.whole() || (command.resume && countFree));
 }
 
-/// How far an interrupted render came.
+/// Describes how much of an interrupted render is finished.
 std::string reachedText(const Rendered& rendered, const Scene& scene) {
   const Reached& reached = rendered.reached;
   return fmt::format(
-      "with {} of {} samples a pixel in {} of {} rows{}", reached.samples,
+      "with {} of {} samples per pixel in {} of {} rows{}", reached.samples,
       scene.sampler.sampleCount, reached.rows, rendered.image.height,
       reached.unfinished == 0 ? "" : fmt::format(", {} layers unfinished", reached.unfinished));
 }
@@ -141,11 +143,11 @@ ExitCode run(const RenderCommand& command, ViewedPictures* viewed) {
   if (Interruption::noted()) throw interrupted(kNothing);
 
   FilmState state = stateOf(command, statePath(exr), scene.camera);
-  const auto watchers = watchersOf(command, scene.camera, exr.string(), viewed);
+  const auto viewers = viewersOf(command, scene.camera, exr.string(), viewed);
   print(command, "Configuration: " + describe(scene) + "\nRendering .. ");
-  flushStandardOutput();  // better now than after a long render
+  flushStandardOutput();  // fail before a long render rather than after it
   Progress progress(!command.quiet);
-  const RenderOptions options = optionsOf(command, {&interruption, &progress}, watchers);
+  const RenderOptions options = optionsOf(command, {&interruption, &progress}, viewers);
   Ended ended = renderWith(renderer.get(), scene, options, std::move(state));
   const Rendered& rendered = ended.rendered;
   print(command, fmt::format("{}. (took {})\n", rendered.whole() ? "done" : "stopped",
@@ -153,11 +155,11 @@ ExitCode run(const RenderCommand& command, ViewedPictures* viewed) {
   if (rendered.reached.rows == 0) throw interrupted(kNothing);
   if (rendered.droppedSamples != 0)
     std::cerr << fmt::format(
-        "laver: warning: {} samples were negative or not finite and are left out\n",
+        "laver: warning: {} samples were negative or not finite and were left out\n",
         rendered.droppedSamples);
 
   const auto writeStart = Clock::now();
-  const std::string goOn = write(command, scene, exr, ended);
+  const std::string resumeText = write(command, scene, exr, ended);
   ended.stats.seconds.load = loadSeconds;
   ended.stats.seconds.write = since(writeStart);
   ended.stats.seconds.total = since(start);
@@ -166,7 +168,7 @@ ExitCode run(const RenderCommand& command, ViewedPictures* viewed) {
   flushStandardOutput();
   if (rendered.whole()) return ExitCode::Ok;
   throw interrupted(fmt::format("{}; see \"{}\"{}", reachedText(rendered, scene),
-                                fileOf(rendered, exr).string(), goOn));
+                                fileOf(rendered, exr).string(), resumeText));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace laver {
 namespace {
 
-constexpr const char* kRows = "samplesByRow";  // such as 341x64 427x16
+constexpr const char* kRows = "samplesByRow";  // for example 341x64 427x16
 constexpr const char* kFinished = "rowsWithoutSums";
 constexpr const char* kDropped = "samplesDropped";
 constexpr const char* kHash = "hash";
@@ -31,7 +31,7 @@ std::string rowsText(const FilmState& state) {
   return text;
 }
 
-/// The opposite; nothing where the text is of another form or another number of rows.
+/// The inverse of rowsText(); empty if the text is malformed or has another number of rows.
 std::vector<std::uint32_t> rowsOf(const std::string& text, int height) {
   std::vector<std::uint32_t> samples;
   std::istringstream in(text);
@@ -43,7 +43,7 @@ std::vector<std::uint32_t> rowsOf(const std::string& text, int height) {
   return samples.size() == all && in.eof() ? samples : std::vector<std::uint32_t>{};
 }
 
-/// All that is not sums. A file has other texts, too: these have a prefix there.
+/// Everything except the sums. In the file these are string attributes with the prefix kPrefix.
 std::map<std::string, std::string> texts(const FilmState& state) {
   std::map<std::string, std::string> all(state.settings.begin(), state.settings.end());
   all[kRows] = rowsText(state);
@@ -52,8 +52,8 @@ std::map<std::string, std::string> texts(const FilmState& state) {
   return all;
 }
 
-/// Of the sums and of all that describes them. Chunks that do not shrink lie in an EXR file bare,
-/// without a checksum of their own.
+/// Hash of the sums and of everything that describes them. EXR chunks that do not compress are
+/// stored without a checksum.
 std::string hashOf(const FilmState& state) {
   Hash hash;
   for (const auto& [name, value] : texts(state)) {
@@ -87,7 +87,7 @@ FilmState readState(const std::filesystem::path& file) {
   std::istringstream(take(kDropped)) >> state.dropped;
   state.settings.assign(found.begin(), found.end());
   if (state.samples.empty() || hashOf(state) != hash)
-    throw Error(ExitCode::Usage, fmt::format("cannot resume from \"{}\": it is damaged, or no "
+    throw Error(ExitCode::Usage, fmt::format("cannot resume from \"{}\": it is damaged, or not a "
                                              "file of sums",
                                              file.string()));
   return state;
@@ -102,8 +102,8 @@ void writeState(const std::filesystem::path& file, const FilmState& state, unsig
 
 namespace {
 
-/// Sums of larger films, of 2 GiB, are kept only where that is asked for.
-constexpr std::int64_t kMostPixelsKept = 1 << 26;
+/// Larger films, whose sums take over 2 GiB, are kept only with --resume.
+constexpr std::int64_t kMaxPixelsKept = 1 << 26;
 
 }  // namespace
 
@@ -118,7 +118,7 @@ FilmState stateOf(const RenderCommand& command, const std::filesystem::path& fil
                 : fmt::format("No \"{}\": rendering from the first sample\n", file.string()));
     return there ? readState(file) : FilmState(Keep::Always);
   }
-  const bool fits = std::int64_t{camera.width} * camera.height <= kMostPixelsKept;
+  const bool fits = std::int64_t{camera.width} * camera.height <= kMaxPixelsKept;
   return FilmState(!command.reference && fits ? Keep::WhenEnded : Keep::Nothing);
 }
 

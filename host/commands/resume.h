@@ -7,21 +7,22 @@
 
 namespace laver {
 
-/// Where the sums of a picture lie: a.state.exr beside a.exr.
+/// The file of sums for a picture: a.state.exr for a.exr.
 std::filesystem::path statePath(std::filesystem::path exr);
 
-/// Reads them, to keep them always. Throws Error(Usage) for a file that is not whole.
+/// Reads a file of sums. Throws Error(Usage) if it is incomplete.
 FilmState readState(const std::filesystem::path& file);
 
-/// Writes them, replacing the file. Throws Error(Output).
+/// Writes a file of sums, replacing the file. Throws Error(Output).
 void writeState(const std::filesystem::path& file, const FilmState& state, unsigned threads);
 
-/// What there is to go on from, or what an ended render will leave.
+/// The state to start a render from: sums of an earlier one, or empty, with the rule for keeping
+/// sums.
 FilmState stateOf(const RenderCommand& command, const std::filesystem::path& file,
                   const Camera& camera);
 
-/// Writes the sums where a render can go on from them, and removes them where it cannot. Returns
-/// what to say about them.
+/// Writes the sums if a later render can continue from them, or else removes the file. Returns a
+/// text about the sums.
 std::string leaveState(const RenderCommand& command, const std::filesystem::path& file,
                        const FilmState& state, bool more);
 

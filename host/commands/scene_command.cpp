@@ -10,7 +10,7 @@
 namespace laver {
 namespace {
 
-/// Pictures beside the scene's own ask for materials and lights, too.
+/// Layers may need materials and lights, too.
 SceneOverrides overridesOf(const SceneCommand& command) {
   SceneOverrides overrides = command.overrides;
   overrides.noriCompat = command.options.noriCompat;
@@ -28,23 +28,24 @@ void checkOptions(const RenderOptions& options, const Scene& scene) {
                 fmt::format("--crop {},{},{},{}: expected 0 <= x0 < x1 <= {}, 0 <= y0 < y1 <= {}",
                             crop->x0, crop->y0, crop->x1, crop->y1, camera.width, camera.height));
   if (options.error != 0.0 && maxSamplesOf(scene.sampler) == 0)
-    throw Error(ExitCode::Usage,
-                fmt::format("--error: {} samples a pixel are too few to choose from; --spp {} is "
-                            "the least",
-                            scene.sampler.sampleCount, shared::CELL_STEP));
+    throw Error(
+        ExitCode::Usage,
+        fmt::format("--error: {} samples per pixel are too few to choose from; the minimum is "
+                    "--spp {}",
+                    scene.sampler.sampleCount, shared::CELL_STEP));
 }
 
 void checkError(const RenderCommand& command) {
   if (command.options.error == 0.0) return;
   if (command.reference)
-    throw Error(ExitCode::Usage, "--error: the reference takes as many samples as the scene says");
+    throw Error(ExitCode::Usage, "--error: the reference takes the scene's number of samples");
   if (command.resume)
     throw Error(ExitCode::Usage,
-                "--error: an adaptive render begins anew; --resume goes on only "
-                "where every pixel gets as many samples");
+                "--error: an adaptive render always starts from the beginning; --resume "
+                "requires the same number of samples in every pixel");
 }
 
-/// Channels beside the picture's own three.
+/// Channels of all layers.
 std::size_t layerChannels(const RenderOptions& options) {
   std::size_t count = centreChannels(options.layers).size();
   for (const Shown& shown : shownBeside(options.more, options.layers))
@@ -52,22 +53,22 @@ std::size_t layerChannels(const RenderOptions& options) {
   return count + (asks(options.layers, layers::samples) ? 1 : 0);
 }
 
-/// The picture and its files are made in memory; measured at 16384 x 16384: 20 bytes a pixel. Sums
-/// that are kept are 32 more, and their file as many again.
+/// Checks that the picture and its files fit in memory: 20 bytes per pixel, measured at 16384 x
+/// 16384. Sums that are kept take 32 more, and their file as many again.
 void checkMemory(const RenderCommand& command, const Camera& camera) {
   const Crop film = coreOf(camera, command.options);
-  // A layer's: 4 bytes a channel, once more while layers are put together, and the file's.
+  // Layers: 4 bytes per channel, the same again while they are joined, and again for the file.
   const std::uint64_t bytes = (command.resume ? 88 : 24) + 12 * layerChannels(command.options) +
                               (command.displayServer ? 12 : 0) +
                               (command.gui ? 12 + 4 * layerChannels(command.options) : 0);
   const std::uint64_t needed = bytes * static_cast<std::uint64_t>(film.x1 - film.x0) *
                                static_cast<std::uint64_t>(film.y1 - film.y0);
-  const std::uint64_t there = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
-                              static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
-  if (needed > there)
+  const std::uint64_t available = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
+                                  static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+  if (needed > available)
     throw Error(ExitCode::Device,
                 fmt::format("a film of {}x{} pixels needs {} MiB of memory, the machine has {}",
-                            film.x1 - film.x0, film.y1 - film.y0, needed >> 20, there >> 20));
+                            film.x1 - film.x0, film.y1 - film.y0, needed >> 20, available >> 20));
 }
 
 void warnOfMissingUvs(const RenderOptions& options, const Scene& scene) {

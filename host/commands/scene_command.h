@@ -3,19 +3,19 @@
 
 #include "commands/commands.h"
 
-// The scenes of commands: loaded, with warnings on standard error, and checked before a long
-// render, so that nothing is rendered for nothing.
+// Loads the scenes of commands, prints warnings to standard error, and checks options before a long
+// render.
 namespace laver {
 
-/// Prints the warnings. Throws Error(Scene).
+/// Loads a scene and prints its warnings. Throws Error(Scene).
 Scene sceneOf(const std::string& file, const SceneOverrides& overrides = {});
 
-/// The same, with what the command changes. Throws Error(Usage) where a scene cannot be rendered
-/// with such options.
+/// Loads a command's scene with its overrides. Throws Error(Usage) if the scene cannot be rendered
+/// with these options.
 Scene sceneOf(const SceneCommand& command);
 
-/// Throws Error(Usage) for options that do not go together, Error(Device) for a film too large for
-/// the machine's memory. Warns where a layer of texture coordinates is asked for and a mesh has
+/// Throws Error(Usage) for options that exclude each other, Error(Device) if the film is too large
+/// for the machine's memory. Warns if the layer of texture coordinates is requested and a mesh has
 /// none.
 void checkRender(const RenderCommand& command, const Scene& scene);
 

@@ -4,15 +4,15 @@
 
 namespace laver {
 
-/// How a child process ended.
+/// Result of a child process.
 struct ProcessRun {
-  int exitCode = 0;         ///< 128 + the signal's number where a signal ended it
+  int exitCode = 0;         ///< 128 + the signal's number if a signal ended it
   double seconds = 0;       ///< from its start to its end
   std::string errorOutput;  ///< all of stderr
 };
 
-/// Runs a program, found by the PATH, with stdout discarded, and waits for its end. Throws
-/// Error(Usage) where it cannot be started.
+/// Runs a program, found by PATH, with stdout discarded, and waits until it ends. Throws
+/// Error(Usage) if it cannot be started.
 ProcessRun runProcess(std::vector<std::string> arguments);
 
 }  // namespace laver

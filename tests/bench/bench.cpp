@@ -1,4 +1,4 @@
-// laver's speed, and that of Embree 3 for the same rays and meshes:
+// The speed of laver, and of Embree 3 for the same rays and meshes:
 // laver_bench [--short] [--markdown FILE] [--json FILE] [passes|rays|builds|files|processes]
 #include "bench/bench.h"
 

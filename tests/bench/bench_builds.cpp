@@ -15,7 +15,7 @@ double commitSeconds(const EmbreeDevice& device, const EmbreeMesh& mesh, RTCBuil
   return EmbreeScene(device, mesh, RTC_SCENE_FLAG_NONE, quality).commitSeconds();
 }
 
-/// Those that were split count as often as they occur.
+/// Number of triangles in leaves; split triangles count several times.
 std::uint64_t trianglesOf(std::span<const CostItem> items) {
   std::uint64_t sum = 0;
   for (const CostItem& item : items) sum += item.triangles;
@@ -47,7 +47,7 @@ void benchBuilds(Report& report, const EmbreeDevices& devices, const Rounds& rou
       high.push_back(h);
     }
     const double ours = sahCost(costItems(bvh));
-    // The builder's own figure is of boxes that were not yet grown by a rounding.
+    // The builder's own cost is for boxes before they are grown by an ulp.
     if (std::abs(ours - bvh.sahCost) > 1e-3 * ours)
       throw Error(ExitCode::Output, "the builder and the bench disagree on a tree's SAH cost");
     const auto tree = embreeTree(devices.native, mesh, RTC_BUILD_QUALITY_MEDIUM);

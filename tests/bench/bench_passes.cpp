@@ -30,7 +30,7 @@ constexpr Setup kSetups[] = {
     {"bunny", 2, "direct_whitted", 16, 2},
 };
 
-/// Whole renders; the first, which may compile the kernels, is not counted.
+/// Measures whole renders. The first, which may compile kernels, is not counted.
 void measure(Report& report, const Setup& setup, std::size_t rounds) {
   const Scene scene = benchScene(setup.scene, setup.subdivided, setup.integrator, setup.samples);
   const double rays = 1.0 * scene.camera.width * scene.camera.height * setup.samples;

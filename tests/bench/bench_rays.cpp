@@ -14,7 +14,7 @@
 namespace laver::bench {
 namespace {
 
-/// One mesh in the forms that Embree's calls differ by.
+/// One mesh as an Embree scene for each kind of call.
 struct EmbreeScenes {
   EmbreeScenes(const EmbreeDevices& devices, const Scene& scene)
       : mesh(scene),
@@ -25,17 +25,17 @@ struct EmbreeScenes {
   EmbreeScene robust, plain, robustAvx2;
 };
 
-/// laver's kernels and Embree's calls on one set of rays, in turns.
+/// laver's kernels and Embree's calls on one set of rays, measured alternately.
 class Contest {
  public:
   explicit Contest(std::size_t rounds) : rounds_(rounds) {}
 
-  /// `once` returns seconds.
+  /// `once` runs once and returns seconds.
   void add(const std::string& name, std::function<double()> once) {
     runs_.push_back({name, std::move(once), {}});
   }
 
-  /// Prints each against the first, and returns their medians.
+  /// Prints each relative to the first, and returns the medians.
   std::map<std::string, double> finish(Report& report, double rays) {
     for (std::size_t round = 0; round <= rounds_; ++round)
       for (Run& run : runs_) {
@@ -141,7 +141,7 @@ std::map<std::string, double> shadow(Report& report, const std::string& name, Tr
   return contest.finish(report, rays);
 }
 
-/// Rays that share nothing: `lane` against rtcIntersect1.
+/// Incoherent rays: `lane` against rtcIntersect1.
 void incoherent(Report& report, const std::string& name, test::RayTracer& lane,
                 const EmbreeScenes& e, std::span<const TestRay> rays, std::size_t rounds) {
   EmbreeRays embree(rays, {});

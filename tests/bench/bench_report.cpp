@@ -36,7 +36,7 @@ TEST(BenchReport, ReplacesTheTablesOfADocumentAndKeepsItsText) {
   EXPECT_EQ(test::contents(file), text);
 }
 
-TEST(BenchReport, LeavesADocumentWithoutAPlaceForTablesAlone) {
+TEST(BenchReport, DoesNotChangeADocumentWithoutAPlaceForTables) {
   const test::TemporaryFolder folder;
   const std::string file = folder.path("README.md");
   std::ofstream(file) << "# Speed\n";
@@ -44,7 +44,7 @@ TEST(BenchReport, LeavesADocumentWithoutAPlaceForTablesAlone) {
   EXPECT_EQ(test::contents(file), "# Speed\n");
 }
 
-TEST(BenchReport, KeepsEverySingleTimeInJson) {
+TEST(BenchReport, KeepsEveryTimeInJson) {
   const test::TemporaryFolder folder;
   someReport().saveJson(folder.path("bench.json"));
   const auto json = nlohmann::json::parse(std::ifstream(folder.path("bench.json")));

@@ -73,7 +73,7 @@ std::vector<CostItem> costItems(const Bvh& bvh) {
 std::vector<CostItem> embreeTree(const EmbreeDevice& device, const EmbreeMesh& mesh,
                                  RTCBuildQuality quality) {
   std::vector<RTCBuildPrimitive> primitives;
-  // HIGH splits triangles into as many again.
+  // HIGH quality may double the number of primitives by splitting.
   primitives.reserve(mesh.triangles.size() * 2);
   for (const glm::uvec3& t : mesh.triangles) {
     test::Box box;

@@ -13,7 +13,7 @@ namespace {
 
 class EmbreeHits : public testing::Test {
  protected:
-  /// Of the rays through a torus' film, those whose triangle differs.
+  /// Share of the rays through a torus' film that hit another triangle.
   double differing(const std::vector<TestHit>& hits) const {
     std::size_t count = 0;
     for (std::size_t i = 0; i < hits.size(); ++i) count += hits[i].id != laver_[i].id ? 1 : 0;
@@ -42,7 +42,8 @@ TEST_F(EmbreeHits, AreLaversTrianglesAtEveryPacketWidth) {
     EXPECT_LT(differing(hits), 1e-3) << width;
   }
   auto others = rays_;
-  for (TestRay& ray : others) ray.direction.x += 0.01F * ray.direction.z;  // a pixel or more aside
+  for (TestRay& ray : others)
+    ray.direction.x += 0.01F * ray.direction.z;  // a pixel or more sideways
   EmbreeRays embree(others, {});
   embree.closest(robust_.get(), 16, true, 2);
   EXPECT_GT(differing(embree.hits()), 1e-2);

@@ -7,7 +7,8 @@
 
 namespace laver::bench {
 
-/// Denormals count as zero in this thread, as Embree's manual asks, until the end of the scope.
+/// Treats denormals as zero in this thread until the end of the scope, as Embree's manual
+/// recommends.
 class FlushDenormals {
  public:
   FlushDenormals() {
@@ -48,7 +49,7 @@ inline RTCRay8 halfOf(const RTCRay16& from, int first) {
   return to;
 }
 
-/// Nearest hits of those of 16 rays whose `valid` is -1, `width` a call.
+/// Nearest hits of those of 16 rays whose `valid` is -1, with `width` rays per call.
 inline void intersect(RTCScene scene, int width, RTCIntersectContext& context, const int* valid,
                       RTCRayHit16& rays) {
   if (width == 16) rtcIntersect16(valid, scene, &context, &rays);
@@ -79,7 +80,7 @@ inline void intersect(RTCScene scene, int width, RTCIntersectContext& context, c
   }
 }
 
-/// Leaves tfar negative where something lies in the way.
+/// Sets tfar to a negative value for occluded rays.
 inline void occluded(RTCScene scene, int width, RTCIntersectContext& context, const int* valid,
                      RTCRay16& rays) {
   if (width == 16) rtcOccluded16(valid, scene, &context, &rays);

@@ -11,7 +11,7 @@
 namespace laver::bench {
 namespace {
 
-/// Seconds that `threads` take to call part(i) for all i below count.
+/// Seconds that `threads` threads take to call part(i) for all i below count.
 template <class Part>
 double inThreads(std::size_t count, unsigned threads, const Part& part) {
   constexpr std::size_t kGrain = 64;
@@ -39,7 +39,7 @@ EmbreeRays::EmbreeRays(std::span<const test::TestRay> rays, std::span<const glm:
       points_((points.size() + 15) / 16),
       seen_(points_.size()) {
   for (std::size_t i = 0; i < rays_.size() * 16; ++i) {
-    // What fills the last packet up ends before it starts.
+    // Rays that fill up the last packet end before they start.
     const test::TestRay ray =
         i < rays.size() ? rays[i] : test::TestRay{glm::vec3(0.0F), 0.0F, glm::vec3(1.0F), -1.0F};
     Rays16& to = rays_[i / 16];

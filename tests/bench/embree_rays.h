@@ -8,18 +8,19 @@
 
 namespace laver::bench {
 
-/// Rays from memory through Embree, hits to memory. Rays and points lie in blocks of 16, structure
-/// of arrays, as Embree's packets want them.
+/// Traces rays from memory with Embree. Rays and points are in blocks of 16, structure of arrays,
+/// as Embree's packets need them.
 class EmbreeRays {
  public:
   EmbreeRays(std::span<const test::TestRay> rays, std::span<const glm::vec3> points);
 
-  /// Seconds for all rays, `width` a call.
+  /// Seconds for all rays, with `width` rays per call.
   double closest(RTCScene scene, int width, bool coherent, unsigned threads);
-  /// Seconds for the segments between all points that are not NaN and the light.
+  /// Seconds for the segments from all points that are not NaN to the light.
   double visible(RTCScene scene, int width, glm::vec3 light, unsigned threads);
 
-  /// Of the latest calls, as RayTracer gives them; u and v are of the mesh's own corners.
+  /// Results of the latest calls, as RayTracer returns them; u and v refer to the corners of the
+  /// mesh.
   std::vector<test::TestHit> hits() const;
   std::vector<std::uint32_t> seen() const;
 

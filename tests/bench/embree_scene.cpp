@@ -22,7 +22,7 @@ void check(RTCDevice device, const char* what) {
 }  // namespace
 
 EmbreeDevice::EmbreeDevice(const std::string& config) {
-  // No property tells the instruction set; the device's verbose start does.
+  // No property has the instruction set, so it is taken from the device's verbose output.
   std::ostringstream said;
   std::streambuf* const before = std::cout.rdbuf(said.rdbuf());
   device_ = rtcNewDevice((config + ",verbose=1").c_str());
@@ -31,7 +31,7 @@ EmbreeDevice::EmbreeDevice(const std::string& config) {
   const std::string text = said.str();
   const auto version = rtcGetDeviceProperty(device_, RTC_DEVICE_PROPERTY_VERSION);
   description_ = fmt::format("{}.{}.{}", version / 10000, version / 100 % 100, version % 100);
-  // "Targets : SSE4.2 AVX AVX2  (supported)": the last.
+  // The last word of "Targets : SSE4.2 AVX AVX2  (supported)".
   if (const auto supported = text.find(" (supported"); supported != std::string::npos) {
     const auto end = text.find_last_not_of(' ', supported);
     const auto begin = text.find_last_of(' ', end);

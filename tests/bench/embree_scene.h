@@ -8,10 +8,10 @@
 
 namespace laver::bench {
 
-/// Embree's device and what it says of itself.
+/// An Embree device and its description.
 class EmbreeDevice {
  public:
-  /// `config` as rtcNewDevice takes it.
+  /// `config` is the argument of rtcNewDevice.
   explicit EmbreeDevice(const std::string& config);
   ~EmbreeDevice();
   EmbreeDevice(const EmbreeDevice&) = delete;
@@ -26,14 +26,14 @@ class EmbreeDevice {
   std::string description_;
 };
 
-/// Corners of all meshes in the kernels' space, and triangles in file order: primID is laver's id.
+/// Corners of all meshes in normalised space, and triangles in file order: primID is laver's id.
 struct EmbreeMesh {
   explicit EmbreeMesh(const Scene& scene);
   std::vector<glm::vec3> positions;
   std::vector<glm::uvec3> triangles;
 };
 
-/// A committed scene of one mesh, which must outlive it.
+/// A committed scene of one mesh. The mesh must outlive it.
 class EmbreeScene {
  public:
   EmbreeScene(const EmbreeDevice& device, const EmbreeMesh& mesh, RTCSceneFlags flags,

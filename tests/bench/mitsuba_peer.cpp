@@ -23,8 +23,8 @@ class MitsubaPeer : public CommandLine {
   Image picture(const std::string& file) { return chart::rgbOf(readExr(path(file)), file); }
 };
 
-TEST_F(MitsubaPeer, SaysInOneLineThatMitsubaIsNotInstalled) {
-  // -S: without packages, installed or not.
+TEST_F(MitsubaPeer, ReportsInOneLineThatMitsubaIsNotInstalled) {
+  // -S: without site packages, installed or not.
   const Outcome run =
       peer(std::string("python3 -S ") + kScript + " --variant scalar_rgb " + kScene + " -o p.exr");
   EXPECT_EQ(run.code, 69);
@@ -45,10 +45,10 @@ TEST_F(MitsubaPeer, ConvergesToLaversPictureAsFastAsLaver) {
              "--variant " + variant + " -o peer.exr --stats=peer.json --quiet");
     ASSERT_EQ(run.code, 0) << run.err;
     Image image = picture("peer.exr");
-    // The same number of samples, of other random numbers: at 128x128 pixels scalar_rgb had 1.15,
-    // llvm_ad_rgb 1.02 times laver's error.
+    // The same number of samples with other random numbers: at 128x128 pixels, the error of
+    // scalar_rgb was 1.15 times laver's, that of llvm_ad_rgb 1.02 times.
     EXPECT_LT(chart::errorsOf(image, truth).rmse, 1.5 * noise);
-    for (float& value : image.pixels) value *= 1.02F;  // lights of another brightness would be seen
+    for (float& value : image.pixels) value *= 1.02F;  // negative control: brighter lights
     EXPECT_GT(chart::errorsOf(image, truth).rmse, 1.5 * noise);
     const auto stats = nlohmann::json::parse(contents(folder_ / "peer.json"));
     EXPECT_GT(stats["seconds"]["trace"], 0.0);

@@ -12,7 +12,7 @@ namespace {
 
 using glm::vec3;
 
-/// A triangle's unit normals, by its number in file order and the way it was wound.
+/// Unit normals of triangles by number in file order, oriented by the winding in the file.
 std::vector<vec3> normalsOf(const Bvh& bvh) {
   std::vector<vec3> normals;
   for (const shared::Triangle& t : bvh.triangles) {
@@ -23,7 +23,7 @@ std::vector<vec3> normalsOf(const Bvh& bvh) {
   return normals;
 }
 
-/// Of points off their surface, in the kernels' space.
+/// Offset of points from their surface, in normalised space.
 constexpr float kOffset = 1e-5F;
 
 }  // namespace
@@ -80,11 +80,12 @@ std::vector<TestRay> bounced(const Packed& data, std::span<const TestRay> rays,
     if (hits[i].id == shared::NO_HIT) continue;
     vec3 n = normals[hits[i].id];
     if (glm::dot(n, rays[i].direction) > 0.0F) n = -n;
-    // The normal plus a point of the unit sphere is distributed by the cosine.
+    // The normal plus a point of the unit sphere has a cosine distribution.
     const float z = 2.0F * number(engine) - 1.0F, r = std::sqrt(1.0F - z * z);
     const float angle = 2.0F * std::numbers::pi_v<float> * number(engine);
-    const vec3 way = n + vec3(r * std::cos(angle), r * std::sin(angle), z) * 0.999F;
-    out.push_back({rays[i].origin + rays[i].direction * hits[i].t + n * kOffset, 0.0F, way, 1e10F});
+    const vec3 direction = n + vec3(r * std::cos(angle), r * std::sin(angle), z) * 0.999F;
+    out.push_back(
+        {rays[i].origin + rays[i].direction * hits[i].t + n * kOffset, 0.0F, direction, 1e10F});
   }
   return out;
 }

@@ -10,18 +10,18 @@ namespace laver::bench {
 using test::TestHit;
 using test::TestRay;
 
-/// One ray through each pixel, 8 x 8 pixels after the other, in them 4 x 4, in those 4 x 2: packets
-/// of 64, 16 and 8 rays are all compact. Rows of tiles are permuted as laver permutes them.
+/// One ray through each pixel, in tiles of 8 x 8 pixels, within them of 4 x 4, within those of 4 x
+/// 2, so that packets of 64, 16 and 8 rays are all compact. Rows of tiles are permuted as in laver.
 std::vector<TestRay> cameraRays(const Packed& data);
 
-/// The same rays in an order that no two neighbours share anything.
+/// The same rays in random order, so that neighbours are incoherent.
 std::vector<TestRay> shuffled(std::vector<TestRay> rays);
 
-/// Where rays ended, moved off the surface, if it faces the light; else NaN.
+/// Hit points, offset from the surface, where it faces the light; else NaN.
 std::vector<glm::vec3> litPoints(const Packed& data, std::span<const TestRay> rays,
                                  std::span<const TestHit> hits);
 
-/// From each hit a ray in a random direction, likelier along the normal as a matt surface sends it.
+/// From each hit, a ray in a cosine-distributed direction, as a diffuse surface scatters.
 std::vector<TestRay> bounced(const Packed& data, std::span<const TestRay> rays,
                              std::span<const TestHit> hits);
 

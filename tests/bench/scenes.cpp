@@ -8,7 +8,7 @@
 namespace laver::bench {
 namespace {
 
-/// Each triangle becomes four, cut at the midpoints of its edges.
+/// Splits each triangle into four at the midpoints of its edges.
 void subdivide(Mesh& mesh) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
   const auto middle = [&](std::uint32_t a, std::uint32_t b) {

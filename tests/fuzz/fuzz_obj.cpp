@@ -1,5 +1,5 @@
-// Any bytes as an OBJ file: errors, or a mesh whose vertices are the file's. A text that is parsed
-// without a check gives the same data as one that is checked first.
+// Arbitrary bytes as an OBJ file cause errors, or a mesh with the vertices of the file. A text that
+// is parsed without a check gives the same data as one that is checked first.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -11,8 +11,8 @@
 namespace laver::fuzz {
 namespace {
 
-// The vertices of a checked text, which holds neither comments behind data nor continued lines, by
-// a parser that shares nothing with tinyobjloader.
+// The vertices of a checked text, which has no comments after data and no continued lines, by a
+// parser that is independent of tinyobjloader.
 std::vector<glm::dvec3> verticesOf(const std::string& text) {
   std::vector<glm::dvec3> vertices;
   for (std::size_t begin = 0; begin < text.size();) {

@@ -1,4 +1,4 @@
-// Any bytes as a PNG or JPEG: a reason of one line, or a picture of the size that it says.
+// Arbitrary bytes as a PNG or JPEG cause an error of one line, or an image of the size in the file.
 #include <stdexcept>
 
 #include "fuzz/fuzz.h"

@@ -1,4 +1,4 @@
-// Any bytes as a scene file: an error that names its places, or a scene that keeps its promises.
+// Arbitrary bytes as a scene file cause errors with positions, or a valid scene.
 #include <cmath>
 #include <set>
 #include <sstream>
@@ -11,7 +11,7 @@
 namespace laver::fuzz {
 namespace {
 
-// Meshes come from the seeds of fuzz_obj and from nowhere else.
+// Only the seeds of fuzz_obj are available as meshes.
 const std::string kFolder = LAVER_SOURCE_DIR "/tests/fuzz/obj/";
 const std::set<std::string> kMeshFiles = {"", "triangle.obj", "quad.obj", "faulty.obj"};
 

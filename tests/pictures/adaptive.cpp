@@ -1,4 +1,4 @@
-// Adaptive sampling: the same bits however it is cut, right at borders of counts.
+// Adaptive sampling: the bits do not depend on tiling, and borders between sample counts are right.
 #include "pictures/adaptive.h"
 
 #include <cstdlib>
@@ -32,7 +32,7 @@ TEST(Adaptive, SameBitsForThreadsBandsPassesTraversalsAndKernels) {
   expectSame(whole, renderTo(scene, adaptive()));
   ::unsetenv("LP_NUM_THREADS");
 
-  // Four samples of a few rows a pass; sixteen of a part of the film.
+  // Passes of four samples of a few rows, then of sixteen samples of a part of the film.
   for (const std::uint64_t slots : {96U * 11 * 4, 96U * 60 * 16}) {
     VulkanOptions cut = onTestDevice();
     cut.samplesInFlight = slots;
@@ -77,12 +77,12 @@ void expectCropsOf(const Scene& scene) {
 TEST(Adaptive, ACropIsCutOutOfTheFullPicture) {
   Scene scene = floorScene();
   expectCropsOf(scene);
-  scene.filter = {&filters::gaussian, 4.5, 1.2, 0.0, 0.0};  // further than a cell
+  scene.filter = {&filters::gaussian, 4.5, 1.2, 0.0, 0.0};  // reaches beyond a cell
   expectCropsOf(scene);
 }
 
-/// A pixel in double from the reference's radiances: each sample weighs one over its pixel's count
-/// or, the fault, one.
+/// A pixel in double precision from the reference's radiances. Each sample weighs one over its
+/// pixel's count, or one, which is the error to detect.
 glm::dvec3 pixelOf(const Scene& scene, const Reference& reference, const Image& counts, int x,
                    int y, bool byCount, const Judge& judge, bool& decided) {
   const laver::reference::FilterWeights weights(scene.filter, false);
@@ -117,14 +117,15 @@ TEST(Adaptive, EqualsTheReferenceWhereRegionsOfDifferentCountsMeet) {
       ++borders;
       const auto distance = [&](bool byCount, bool& decided) {
         const glm::dvec3 wanted = pixelOf(scene, reference, counts, x, y, byCount, judge, decided);
-        double most = 0;
+        double largest = 0;
         for (int c = 0; c < 3; ++c)
-          most = std::max(most, std::abs(wanted[c] - static_cast<double>(ours.image.at(
+          largest =
+              std::max(largest, std::abs(wanted[c] - static_cast<double>(ours.image.at(
                                                          x, y, static_cast<std::size_t>(c)))));
-        return most;
+        return largest;
       };
       bool decided = true, any = true;
-      // 1e-4 as for every scene; beyond it a sample must lie at an edge.
+      // 1e-4 as for every scene; a larger difference requires a sample at an edge.
       if (distance(true, decided) > 1e-4) {
         EXPECT_FALSE(decided) << x << ' ' << y;
         ++explained;
@@ -136,7 +137,7 @@ TEST(Adaptive, EqualsTheReferenceWhereRegionsOfDifferentCountsMeet) {
   EXPECT_GT(unweighted, 5);  // the test can fail
 }
 
-TEST(Adaptive, StopsBetweenPassesAndWhileItDecides) {
+TEST(Adaptive, StopsBetweenPassesAndDuringThePilots) {
   const Scene scene = floorScene();
   VulkanOptions vulkan = onTestDevice();
   vulkan.samplesInFlight = std::uint64_t{128} * 96 * 16;  // rows are stored in columns of 64
@@ -157,7 +158,7 @@ TEST(Adaptive, StopsBetweenPassesAndWhileItDecides) {
 
 class AdaptiveCommand : public CommandLine {};
 
-TEST_F(AdaptiveCommand, WritesTheMapOfSamplesAndTellsWhatItDid) {
+TEST_F(AdaptiveCommand, WritesTheMapOfSamplesAndReportsStatistics) {
   const std::string scene = (scenesFolder() / "wide-floor.xml").string();
   const Outcome run =
       laver(scene + " --device $device --size 64x64 --spp 18 --error 0.01 -o a.exr --stats");
@@ -171,11 +172,11 @@ TEST_F(AdaptiveCommand, WritesTheMapOfSamplesAndTellsWhatItDid) {
   for (auto i = static_cast<std::size_t>(channel - image.channels.begin()); i < image.pixels.size();
        i += image.channels.size())
     counts.insert(image.pixels[i]);
-  EXPECT_EQ(*counts.rbegin(), 16.0F);  // the most is a multiple of 4
+  EXPECT_EQ(*counts.rbegin(), 16.0F);  // the maximum is a multiple of 4
   EXPECT_EQ(*counts.begin(), 1.0F);
 }
 
-TEST_F(AdaptiveCommand, RefusesWhatItCannotDoInOneLine) {
+TEST_F(AdaptiveCommand, RefusesInvalidOptionsInOneLine) {
   write("scene.xml", kFirstScene);
   for (const char* arguments : {"--error 0", "--error -1", "--error nan", "--error small",
                                 "--error 0.01 --spp 3", "--error 0.01 --spp 16 --reference"}) {

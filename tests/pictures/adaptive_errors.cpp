@@ -1,5 +1,4 @@
-// What adaptive sampling leaves of error: no bias, what was asked for, less than as many samples
-// for all.
+// The error of adaptive sampling: no bias, the requested size, and fewer samples than without it.
 #include <cmath>
 #include <numbers>
 
@@ -8,8 +7,8 @@
 namespace laver::test {
 namespace {
 
-/// A film of `side` x `side` pixels in whose middles lie squares of 0.1 x 0.1 pixels: |n| is 1 in
-/// exactly 1 % of the area.
+/// A film of `side` x `side` pixels with a square of 0.1 x 0.1 pixels at the centre of each: |n| is
+/// 1 in exactly 1 % of the area.
 Scene specks(int side) {
   Scene scene;
   scene.meshes.resize(1);
@@ -32,7 +31,7 @@ Scene specks(int side) {
   return scene;
 }
 
-/// The mean of `seeds` pictures over the truth, and its standard error.
+/// The mean of `seeds` pictures divided by the true mean, and its standard error.
 std::pair<double, double> meanOfSpecks(int side, int seeds) {
   Scene scene = specks(side);
   double sum = 0, variance = 0;
@@ -62,8 +61,8 @@ TEST(FullAdaptive, SpecksOfOnePercentKeepTheirMeanToAFifthOfAPercent) {
   EXPECT_NEAR(mean, 1.0, 0.002);
 }
 
-/// Of the pixels that asked for more than the least: the error against a converged picture.
-TEST(Adaptive, TheErrorIsWhatWasAskedFor) {
+/// The error, against a converged picture, of the pixels with more than the minimum of samples.
+TEST(Adaptive, TheErrorIsTheRequestedOne) {
   Scene scene = floorScene();
   scene.sampler.sampleCount = 512;
   constexpr double kWanted = 0.005;
@@ -83,7 +82,8 @@ TEST(Adaptive, TheErrorIsWhatWasAskedFor) {
       ++count;
     }
   EXPECT_GT(count, 300);
-  // Cells in steps of four and a quarter of their neighbours' get more than they need.
+  // Steps of four samples and a quarter of the neighbours' counts give cells more samples than they
+  // need.
   EXPECT_LT(std::sqrt(squares / count), 1.1 * kWanted);
   EXPECT_GT(std::sqrt(squares / count), 0.3 * kWanted);
   EXPECT_LT(std::sqrt(all / (96 * 96)), kWanted);
@@ -98,7 +98,7 @@ double rmse(const Image& a, const Image& b) {
   return std::sqrt(squares / static_cast<double>(a.pixels.size()));
 }
 
-TEST(Adaptive, HalfOfSobolsRaysHaveTheErrorOf64IndependentOnes) {
+TEST(Adaptive, NeedsLessThanHalfOfTheRaysOfPlainSobol) {
   Scene scene = floorScene(192);
   const auto errorOf = [&](const SamplerRow* kind, std::uint32_t samples, const Image& truth) {
     scene.sampler = {samples, 0, kind};

@@ -1,4 +1,4 @@
-// Input near the limits of lavapipe: slow, under the label full.
+// Input near the limits of lavapipe. Slow, so it has the label full.
 #include <algorithm>
 
 #include "pictures/harness.h"
@@ -9,7 +9,8 @@ namespace laver::test {
 namespace {
 
 TEST(FullBig, TenMillionTriangles) {
-  // Half a gigabyte of triangles, read through texels: no storage range holds that much.
+  // Half a gigabyte of triangles, read through texel buffers, since no storage buffer range is that
+  // large.
   Scene scene;
   scene.integrator = {&integrators::depth};
   scene.meshes = {bumpySphere(2240, 2240, 0.05, glm::dvec3(0.0, 0.0, 4.0))};
@@ -18,21 +19,22 @@ TEST(FullBig, TenMillionTriangles) {
   Stats stats;
   const Image image = Renderer(onTestDevice()).render(scene, {}, stats).image;
   EXPECT_EQ(stats.triangles, scene.meshes[0].triangles.size());
-  // The sphere's nearest point is 3 units away, give or take its bumps of 0.05.
+  // The sphere's nearest point is 3 units away, within its bumps of 0.05.
   EXPECT_NEAR(image.at(32, 32, 0), 1.0F / 3.0F, 0.01F);
   EXPECT_EQ(image.at(0, 0, 0), 0.0F);
 }
 
-TEST(FullBig, SixtyFiveThousandSamplesAPixel) {
+TEST(FullBig, SixtyFiveThousandSamplesPerPixel) {
   const Scene scene = smallScene("cornell-two-lights.xml", 4, 65536);
   const Image image = render(scene), truth = Reference(scene).render().image;
-  // A sample that flips at an edge weighs 1 / 65536 of a pixel; one lost batch would show.
+  // A sample that differs at an edge weighs 1 / 65536 of a pixel; a lost batch would exceed the
+  // bound.
   for (std::size_t i = 0; i < truth.pixels.size(); ++i)
     EXPECT_NEAR(image.pixels[i], truth.pixels[i], 1e-4F);
 }
 
 TEST(FullBig, AFilmOf16384Pixels) {
-  // Bands of its last rows; the whole film differs in their number only.
+  // Renders the last rows only; the whole film differs only in its number of bands.
   Scene scene;
   scene.meshes = {bumpySphere(60, 90, 0.05, glm::dvec3(0.0, 0.0, 3.0))};
   scene.camera.width = scene.camera.height = 16384;

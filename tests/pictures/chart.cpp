@@ -77,23 +77,23 @@ TEST_F(ChartCommandLine, MakesItsFiles) {
   EXPECT_FALSE(fs::exists(folder_ / "c/running.exr"));
 }
 
-TEST_F(ChartCommandLine, TheReferencesErrorIsWhatItSays) {
+TEST_F(ChartCommandLine, TheReferencesErrorIsNearItsEstimate) {
   ASSERT_EQ(chart("--spp 1 --quiet").code, 0) << contents(folder_ / "err.txt");
   ASSERT_EQ(laver("s.xml --reference --sampler stratified --size 16x12 --spp 4096 -o better.exr "
                   "--quiet")
                 .code,
             0);
-  const double said = json()["reference"]["rmse"];
+  const double estimate = json()["reference"]["rmse"];
   double squares = 0;
   for (const auto& channel :
        compare(readExr(path("c/reference.exr")), readExr(path("better.exr")), 0))
     squares += channel.rmse * channel.rmse / 3.0;
-  // Some 30 edge pixels tell an RMSE to a sixth, and the estimate is as uncertain.
-  EXPECT_GT(said, std::sqrt(squares) * 0.4);
-  EXPECT_LT(said, std::sqrt(squares) * 2.5);
+  // Some 30 edge pixels determine an RMSE to a sixth, and the estimate is as uncertain.
+  EXPECT_GT(estimate, std::sqrt(squares) * 0.4);
+  EXPECT_LT(estimate, std::sqrt(squares) * 2.5);
 }
 
-TEST_F(ChartCommandLine, APeerIsMeasuredBesideLaver) {
+TEST_F(ChartCommandLine, APeerIsMeasuredWithLaver) {
   script("old", "exec '" LAVER_BINARY "' \"$@\"\n");
   ASSERT_EQ(chart("--spp 4 --peer 'an older laver' \"./old --device $device\"").code, 0)
       << contents(folder_ / "err.txt");
@@ -106,7 +106,7 @@ TEST_F(ChartCommandLine, APeerIsMeasuredBesideLaver) {
   EXPECT_TRUE(all["missing"].empty());
 }
 
-TEST_F(ChartCommandLine, APeerThatIsNotThereIsNamedAndLeftOut) {
+TEST_F(ChartCommandLine, AMissingPeerIsNamedAndLeftOut) {
   script("none", "echo 'none: it is not installed' >&2; exit 69\n");
   ASSERT_EQ(chart("--spp 1 --peer None ./none --peer Two 'env no-such-program'").code, 0)
       << contents(folder_ / "err.txt");
@@ -116,7 +116,7 @@ TEST_F(ChartCommandLine, APeerThatIsNotThereIsNamedAndLeftOut) {
   for (const auto& series : all["series"]) EXPECT_EQ(series["program"], "laver");
 }
 
-TEST_F(ChartCommandLine, BadArgumentsAreOneLine) {
+TEST_F(ChartCommandLine, BadArgumentsAreRefusedInOneLine) {
   script("broken", "echo 'no picture' >&2; exit 1\n");
   for (const char* more : {"--peer Nori", "--peer laver ./broken", "--peer Nori ''",
                            "--peer A ./broken --peer A ./broken", "--peer Nori ./nothing",

@@ -1,4 +1,4 @@
-// Panel C of a chart: the methods that exist only to be charted, beside laver's.
+// The intersection methods that a chart compares, and laver's own.
 #include <algorithm>
 #include <limits>
 
@@ -15,7 +15,7 @@ namespace {
 
 using namespace chart;
 
-/// A closed sphere before the camera.
+/// A closed sphere in front of the camera.
 Scene sphereScene() {
   Scene scene;
   scene.meshes.push_back(bumpySphere(40, 60, 0.05, {0.0, 0.0, 0.0}));
@@ -26,7 +26,7 @@ Scene sphereScene() {
 
 Bvh sphereTree() { return pack(sphereScene(), {}, uploadsOf(sphereScene(), {})).bvh; }
 
-TEST(ChartMethods, QuantisedNodesHoldWhatTheyStandFor) {
+TEST(ChartMethods, QuantisedBoxesContainTheOriginalOnes) {
   for (const Bvh& bvh : {sphereTree(), withTightBoxes(sphereTree())}) {
     const auto texels = quantised(bvh);
     ASSERT_EQ(texels.size(), bvh.nodes.size() * 9);
@@ -45,13 +45,13 @@ TEST(ChartMethods, QuantisedNodesHoldWhatTheyStandFor) {
         }
         count += 3;
       }
-    // At most a step of 2 / 255 of the sphere on each side, and far less in small nodes.
+    // At high a step of 2 / 255 of the sphere on each side, and far less in small nodes.
     EXPECT_GT(grown, 0.0);
     EXPECT_LT(grown / count, 0.01);
   }
 }
 
-TEST(ChartMethods, TightBoxesLieWithinTheBuilders) {
+TEST(ChartMethods, TightBoxesLieInsideTheBuildersBoxes) {
   const Bvh grown = sphereTree(), tight = withTightBoxes(grown);
   for (std::size_t n = 0; n < grown.nodes.size(); ++n)
     for (std::size_t c = 0; c < 8; ++c) {
@@ -63,7 +63,7 @@ TEST(ChartMethods, TightBoxesLieWithinTheBuilders) {
     }
 }
 
-TEST(ChartMethods, TheUsualTestLosesRaysAtEdgesAndOursNone) {
+TEST(ChartMethods, MoellerTrumboreLosesRaysAtEdgesAndOursNone) {
   const auto points = chartMethods(sphereScene(), testDevice(), 1, {});
   ASSERT_EQ(points.size(), 24U);
   for (const MethodPoint& m : points) {
@@ -81,7 +81,7 @@ TEST(ChartMethods, TheUsualTestLosesRaysAtEdgesAndOursNone) {
       EXPECT_EQ(m.unexplained, 0U);
     }
     if (m.triangles == "ours" && m.boxes == "ours") {
-      EXPECT_LT(m.t99, 4.0);  // as tests/stability has it
+      EXPECT_LT(m.t99, 4.0);  // as in tests/stability
       EXPECT_LT(m.normal99, 8.0);
     }
     const MethodPoint copy = methodFromJson(toJson(m));
@@ -93,17 +93,17 @@ TEST(ChartMethods, TheUsualTestLosesRaysAtEdgesAndOursNone) {
   EXPECT_TRUE(chartMethods(Scene(), testDevice(), 1, {}).empty());
 }
 
-/// Nearest hits by laver's test, without a tree, but for which signs of the edge functions, the
-/// least and the most of them, are inside.
+/// Nearest hits by laver's triangle test without a tree, but with another inside test of the
+/// smallest and the largest edge function.
 std::vector<MethodHit> hitsBy(const Bvh& bvh, std::span<const MethodRay> rays,
-                              bool (*inside)(float least, float most)) {
+                              bool (*inside)(float low, float high)) {
   std::vector<MethodHit> hits;
   for (const MethodRay& ray : rays) {
     const shared::Shear shear = shared::shearOf(ray.direction);
     MethodHit hit{glm::vec3(0.0F), std::numeric_limits<float>::infinity(), shared::NO_HIT};
     for (const shared::Triangle& t : bvh.triangles) {
-      const auto beside = [&](glm::vec3 p) { return shared::permute(shear, p - ray.origin); };
-      const glm::vec3 a = beside(t.a), b = beside(t.b), c = beside(t.c);
+      const auto permuted = [&](glm::vec3 p) { return shared::permute(shear, p - ray.origin); };
+      const glm::vec3 a = permuted(t.a), b = permuted(t.b), c = permuted(t.c);
       const shared::Edges e = shared::edgesOf(shear, a, b, c);
       const float depth = shared::depthOf(e, a.z, b.z, c.z);
       if (e.sum != 0.0F && inside(std::min({e.a, e.b, e.c}), std::max({e.a, e.b, e.c})) &&
@@ -115,7 +115,7 @@ std::vector<MethodHit> hitsBy(const Bvh& bvh, std::span<const MethodRay> rays,
   return hits;
 }
 
-TEST(ChartMethods, OneWrongComparisonShowsAtEdges) {
+TEST(ChartMethods, AWrongComparisonIsDetectedAtEdges) {
   const Packed data = pack(sphereScene(), {}, uploadsOf(sphereScene(), {}));
   const glm::vec3 origin(data.params.origin);
   MethodJudge judge(data.bvh);
@@ -131,15 +131,15 @@ TEST(ChartMethods, OneWrongComparisonShowsAtEdges) {
   const auto unexplained = [&](bool (*inside)(float, float)) {
     return judge.unexplained(hitsBy(data.bvh, aimed, inside));
   };
-  EXPECT_EQ(unexplained([](float least, float most) { return least >= 0 || most <= 0; }), 0U);
-  // Edges left out; < for >=; one of the two windings forgotten.
-  EXPECT_GT(unexplained([](float least, float most) { return least > 0 || most < 0; }), 30U);
-  EXPECT_GT(unexplained([](float least, float most) { return least < 0 || most <= 0; }), 270U);
-  EXPECT_GT(unexplained([](float least, float) { return least >= 0; }), 30U);
-  EXPECT_GT(unexplained([](float, float most) { return most <= 0; }), 30U);
+  EXPECT_EQ(unexplained([](float low, float high) { return low >= 0 || high <= 0; }), 0U);
+  // Edges excluded; < instead of >=; one of the two windings missing.
+  EXPECT_GT(unexplained([](float low, float high) { return low > 0 || high < 0; }), 30U);
+  EXPECT_GT(unexplained([](float low, float high) { return low < 0 || high <= 0; }), 270U);
+  EXPECT_GT(unexplained([](float low, float) { return low >= 0; }), 30U);
+  EXPECT_GT(unexplained([](float, float high) { return high <= 0; }), 30U);
 }
 
-TEST(ChartMethods, AWrongAnswerIsNotExcused) {
+TEST(ChartMethods, AWrongHitIsNotExplained) {
   const Packed data = pack(sphereScene(), {}, uploadsOf(sphereScene(), {}));
   MethodJudge judge(data.bvh);
   const std::vector<MethodRay> rays{
@@ -153,7 +153,7 @@ TEST(ChartMethods, AWrongAnswerIsNotExcused) {
     right += judge.unexplained(std::span(&hit, 1)) == 0 ? 1 : 0;
   }
   EXPECT_EQ(right, 1U);
-  // At an edge, either neighbour will do, and no miss.
+  // At a corner, any of its triangles is explained, and a miss is not.
   const auto aimed = judge.aimed(rays);
   ASSERT_EQ(aimed.size(), 1U);  // at a corner
   judge.expect(aimed);

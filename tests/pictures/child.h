@@ -12,12 +12,12 @@
 
 namespace laver::test {
 
-/// A running `laver ARGUMENTS` in a folder; killed if it still runs when the object or the test's
-/// process goes.
+/// A running `laver ARGUMENTS` in a folder. It is killed if it still runs when the object is
+/// destroyed or the test's process ends.
 class Child {
  public:
-  /// `out` and `err` become its stdout and stderr; by default both go to files of the folder.
-  /// SIGINT is as `interrupt` says: SIG_DFL or SIG_IGN.
+  /// `out` and `err` become its stdout and stderr; by default both go to files in the folder.
+  /// `interrupt` is its action for SIGINT: SIG_DFL or SIG_IGN.
   Child(const std::filesystem::path& folder, std::vector<std::string> arguments,
         std::optional<int> out = {}, std::optional<int> err = {},
         void (*interrupt)(int) = SIG_DFL) {
@@ -54,7 +54,7 @@ class Child {
     if (!over_) over_ = ::waitpid(process_, &status_, WNOHANG) == process_;
     return over_;
   }
-  /// Its exit code, or minus the signal that ended it.
+  /// Waits until it ends. Returns its exit code, or minus the number of the signal that ended it.
   int wait() {
     if (!over_) ::waitpid(process_, &status_, 0);
     over_ = true;

@@ -20,11 +20,11 @@ struct Outcome {
   std::string out, err;
 };
 
-/// An empty folder and the binary to run in it.
+/// An empty folder in which laver runs.
 class CommandLine : public testing::Test, protected TemporaryFolder {
  protected:
-  /// Runs `laver ARGUMENTS` in the test's folder, with what is written before it (variables,
-  /// limits) and redirections after it. $device in the arguments is the test device.
+  /// Runs `laver ARGUMENTS` in the test's folder, preceded by `variables` (or limits) and followed
+  /// by `redirections`. $device in the arguments is the test device.
   Outcome laver(const std::string& arguments, const std::string& variables = "",
                 const std::string& redirections = "") {
     const std::string command = "device='" + testDevice() + "'; cd " + folder_.string() + " && " +
@@ -33,7 +33,7 @@ class CommandLine : public testing::Test, protected TemporaryFolder {
     const int status = std::system(command.c_str());
     return {WEXITSTATUS(status), contents(folder_ / "out.txt"), contents(folder_ / "err.txt")};
   }
-  /// Names in the folder, hidden ones too, without the two that laver() makes.
+  /// Names of all entries, including hidden ones, except the two that laver() makes.
   std::set<std::string> files() const {
     std::set<std::string> names = TemporaryFolder::names();
     names.erase("out.txt");

@@ -1,4 +1,4 @@
-// A driver makes machine code of each kernel once, whatever the sizes of scene and film.
+// The driver compiles each kernel once, whatever the sizes of scene and film.
 #include "pictures/command_line.h"
 
 namespace laver::test {
@@ -13,14 +13,15 @@ TEST_F(CommandLine, KernelsAreCompiledOnceForAllSizes) {
     return names;
   };
   std::set<std::string> first;
-  // 64 x 64 and 16 x 16 samples take multiples of 256 bytes, of 65536, powers of two.
+  // The buffers of 64 x 64 and 16 x 16 samples have special sizes: multiples of 65536 and of 256
+  // bytes, powers of two.
   for (const char* size : {"33x35", "64x64", "16x16", "256x16"}) {
     const Outcome run =
         laver("test.xml --device $device -q --spp 1 --traversal packet --size " + std::string(size),
               "MESA_SHADER_CACHE_DIR=cache");
     ASSERT_EQ(run.code, 0) << run.err;
     if (first.empty()) first = cached();
-    EXPECT_GE(first.size(), 2U);  // the driver keeps both kernels
+    EXPECT_GE(first.size(), 2U);  // the driver caches both kernels
     EXPECT_EQ(cached(), first) << size;
   }
 }

@@ -1,4 +1,4 @@
-// A tree deeper than the kernels' first guess of its stack.
+// A tree deeper than the kernels' initial stack.
 #include "pictures/harness.h"
 #include "reference/reference.h"
 #include "render/tiling.h"
@@ -6,8 +6,8 @@
 namespace laver::test {
 namespace {
 
-/// Triangles ever larger behind one another, seen from where they are smallest: on each level of
-/// the tree a ray goes on into the smallest and leaves all others on its stack.
+/// Triangles of growing size behind each other, seen from the small end: on each level of the tree
+/// a ray continues into the smallest and leaves the others on its stack.
 Scene cone() {
   Mesh mesh;
   double size = 1.0;
@@ -25,14 +25,14 @@ Scene cone() {
   return scene;
 }
 
-TEST(DeepTree, KernelsAreCompiledAnewForItsStack) {
+TEST(DeepTree, KernelsAreRecompiledForItsStack) {
   const Scene scene = cone();
   const Image truth = Reference(scene).render().image;
   for (const std::string& traversal : traversals()) {
     Stats stats;
     const Image image = Renderer(onTestDevice(traversal)).render(scene, {}, stats).image;
     EXPECT_GT(stats.stack, choicesOf(scene).pictures.front().key.stack);
-    // All rays meet the smallest triangle at depth 5: nothing here is near an edge.
+    // All rays hit the smallest triangle at depth 5, away from its edges.
     for (std::size_t i = 0; i < truth.pixels.size(); ++i)
       ASSERT_NEAR(image.pixels[i], truth.pixels[i], 1e-6F) << traversal << ' ' << i;
   }

@@ -10,7 +10,7 @@
 namespace laver::test {
 namespace {
 
-TEST(Device, AnUnknownNameIsAnErrorThatListsWhatThereIs) {
+TEST(Device, AnUnknownNameIsAnErrorThatListsTheDevices) {
   VulkanOptions vulkan;
   vulkan.device = "no such device";
   try {
@@ -55,14 +55,14 @@ TEST(Device, AFlatFieldIsFlatWithEveryFilter) {
     for (int y = 0; y < image.height; ++y)
       for (int x = 0; x < image.width; ++x) {
         EXPECT_EQ(image.at(x, y, 0), 0.0F);
-        // Numerator and denominator are the same products: equal but for the last rounding.
+        // Numerator and denominator are sums of the same products: equal up to the last rounding.
         EXPECT_NEAR(image.at(x, y, 2), 1.0F, 6e-8F) << x << ' ' << y;
       }
   }
 }
 
-/// Whether the driver ends a loop after 65,535 iterations: llvmpipe before Mesa 25.0. Not known of
-/// other drivers.
+/// Whether the driver ends a loop after 65,535 iterations, as llvmpipe does before Mesa 25.0.
+/// Unknown for other drivers.
 std::optional<bool> loopsEndEarly() {
   const std::string& driver = testDeviceInfo().driver;
   const std::size_t mesa = driver.find("llvmpipe Mesa ");
@@ -72,7 +72,7 @@ std::optional<bool> loopsEndEarly() {
 
 TEST(Device, APacketOfTooManyIterationsIsTracedRayByRay) {
   if (traversals().size() == 1) GTEST_SKIP() << testDeviceInfo().name << " traces no packets";
-  // One packet sees all of a fine sphere: more than 65,535 iterations.
+  // One packet covers all of a fine sphere: more than 65,535 iterations.
   Scene scene;
   scene.meshes = {bumpySphere(250, 500, 0.05, glm::dvec3(0.0, 0.0, 250.0))};
   scene.camera.width = scene.camera.height = 8;
@@ -86,14 +86,14 @@ TEST(Device, APacketOfTooManyIterationsIsTracedRayByRay) {
     const bool endedEarly = stats.traversal == "lane";
     EXPECT_EQ(loopsEndEarly().value_or(endedEarly), endedEarly)
         << testDeviceInfo().driver << " traced by " << stats.traversal;
-    // A driver that runs every loop to its end traces the packet as it is.
+    // Other drivers trace the packet as a packet.
     EXPECT_EQ(stats.traversal, endedEarly ? "lane" : "packet64");
     EXPECT_EQ(differingFloats(image, render(scene, onTestDevice("lane"))), 0U);
     if (shown == &integrators::depth) {
       EXPECT_NEAR(image.at(4, 4, 0), 1.0F / 249.0F, 1e-5F);
     }
   }
-  // Left to itself the renderer does not try.
+  // The renderer's own choice is `lane` from the start.
   Stats own;
   Renderer(onTestDevice()).render(scene, {}, own);
   EXPECT_EQ(own.traversal, "lane");
@@ -101,7 +101,7 @@ TEST(Device, APacketOfTooManyIterationsIsTracedRayByRay) {
 }
 
 TEST(Device, NoHoleInAClosedMeshSeenFromInside) {
-  // One sample a pixel, box filter: a ray that escapes leaves a black pixel.
+  // One sample per pixel, box filter: a ray that escapes leaves a black pixel.
   Scene scene;
   scene.integrator = {&integrators::depth};
   scene.meshes = {bumpySphere(60, 90, 0.05, glm::dvec3(0.0))};

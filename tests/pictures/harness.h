@@ -42,7 +42,7 @@ inline const DeviceInfo& testDeviceInfo() {
   return info;
 }
 
-/// Those that the test device can run.
+/// The traversals that the test device supports.
 inline std::vector<std::string> traversals() {
   if (runsPackets(testDeviceInfo())) return {"lane", "packet32", "packet64"};
   return {"lane"};
@@ -75,7 +75,8 @@ inline RenderOptions allLayers() {
   return options;
 }
 
-/// A scene of scenes/, `width` pixels wide with its film's proportions, `samples` a pixel.
+/// A scene of scenes/, `width` pixels wide with the aspect ratio of its film, with `samples` per
+/// pixel.
 inline Scene smallScene(const std::string& name, int width, std::uint32_t samples) {
   const std::string file = (scenesFolder() / name).string();
   const Camera full = loadScene(file).scene.camera;
@@ -95,7 +96,7 @@ inline Image render(const Scene& scene, const VulkanOptions& vulkan = onTestDevi
 
 inline Choices choicesOf(const Scene& scene) { return choose(scene, {}, {}, testDeviceInfo()); }
 
-/// Ends a render after some passes.
+/// Stops a render after some passes.
 class StopAfter : public Observer {
  public:
   explicit StopAfter(int passes) : left_(passes) {}
@@ -108,7 +109,7 @@ class StopAfter : public Observer {
   int left_;
 };
 
-/// Pixels whose bits differ.
+/// Number of floats whose bits differ.
 inline std::size_t differingFloats(const Image& a, const Image& b) {
   EXPECT_EQ(a.width, b.width);
   EXPECT_EQ(a.height, b.height);
@@ -120,7 +121,7 @@ inline std::size_t differingFloats(const Image& a, const Image& b) {
   return count;
 }
 
-/// All traversals give `image`'s bits.
+/// Expects the bits of `image` from every traversal.
 inline void expectSameByAll(const Image& image, const Scene& scene) {
   for (const std::string& traversal : traversals())
     EXPECT_EQ(differingFloats(image, render(scene, onTestDevice(traversal))), 0U)

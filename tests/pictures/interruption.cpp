@@ -17,7 +17,7 @@
 namespace laver::test {
 namespace {
 
-/// A scene and a film on which 2^20 samples a pixel take hours.
+/// A render of 2^20 samples per pixel, which takes hours.
 std::vector<std::string> longRender() {
   return {(scenesFolder() / "cornell-two-lights.xml").string(),
           "--size",
@@ -34,19 +34,19 @@ int attribute(const std::string& file, const char* name) {
   return value == nullptr ? -1 : value->value();
 }
 
-/// What the child writes to the terminal until `part` appears in it, or all if `part` is empty.
+/// Reads the terminal until `part` appears, or to the end if `part` is empty.
 std::string readTerminal(int terminal, const std::string& part) {
   std::string text;
   char buffer[256];
   while (part.empty() || text.find(part) == std::string::npos) {
     const ssize_t count = ::read(terminal, buffer, sizeof buffer);
-    if (count <= 0) break;  // EIO: nobody has its other end any more
+    if (count <= 0) break;  // EIO: the other end is closed
     text.append(buffer, static_cast<std::size_t>(count));
   }
   return text;
 }
 
-/// Whether SIGINT is in a set of /proc/PID/status.
+/// Whether a signal set of /proc/PID/status contains SIGINT.
 bool hasSigint(const Child& child, const std::string& set) {
   std::ifstream status("/proc/" + std::to_string(child.process()) + "/status");
   for (std::string word; status >> word;)
@@ -57,7 +57,7 @@ bool hasSigint(const Child& child, const std::string& set) {
 
 class Interruption : public CommandLine {
  protected:
-  /// Interrupts a render that shows progress, so that a pass is done.
+  /// Interrupts a render once it shows progress, that is, after its first pass.
   void endsEarly(const std::vector<std::string>& arguments, int signal, int code) {
     write("a.exr", "precious");
     write("a.png", "precious too");
@@ -86,7 +86,7 @@ class Interruption : public CommandLine {
     EXPECT_EQ(attribute(partial, "rowsReached"), 48);
     EXPECT_EQ(attribute(partial, "rowsComplete"), 0);
     EXPECT_NE(
-        err.find(fmt::format("laver: interrupted with {} of 1048576 samples a pixel in 48 of "
+        err.find(fmt::format("laver: interrupted with {} of 1048576 samples per pixel in 48 of "
                              "48 rows; see \"a.partial.exr\"{}\r\n",
                              samples, reference ? "" : "; --resume goes on from \"a.state.exr\"")),
         std::string::npos)
@@ -96,8 +96,8 @@ class Interruption : public CommandLine {
     EXPECT_GT(image.at(32, 24, 0), 0.0F);
   }
 
-  /// Starts a render of a scene that is a pipe, and calls act(child) when it waits for the text;
-  /// the text follows. Returns the exit code.
+  /// Starts a render whose scene is a pipe, calls act(child) while it waits for the scene, and then
+  /// writes the scene. Returns the exit code.
   template <class Act>
   int whileLoading(void (*interrupt)(int), Act act) {
     EXPECT_EQ(::mkfifo(path("scene.xml").c_str(), 0600), 0);
@@ -117,7 +117,7 @@ class Interruption : public CommandLine {
   }
 };
 
-TEST_F(Interruption, CtrlCWritesWhatThereIsUnderAnotherName) {
+TEST_F(Interruption, CtrlCWritesThePartialPictureUnderAnotherName) {
   auto arguments = longRender();
   arguments.insert(arguments.end(), {"--device", testDevice()});
   endsEarly(arguments, SIGINT, 130);
@@ -135,7 +135,7 @@ TEST_F(Interruption, BeforeTheFirstPassWritesNothingAndSaysSo) {
   EXPECT_NE(err.find("laver: interrupted before the first pass; nothing is written\n"),
             std::string::npos)
       << err;
-  EXPECT_EQ(lines(err), 2);  // the other is the scene's warning
+  EXPECT_EQ(lines(err), 2);  // the other line is the scene's warning
   EXPECT_EQ(files(), std::set<std::string>{"scene.xml"});
 }
 
@@ -145,7 +145,7 @@ TEST_F(Interruption, ASecondCtrlCEndsAtOnce) {
   while (!hasSigint(child, "SigCgt:") && !child.ended()) ::usleep(1000);
   child.send(SIGINT);
   while (hasSigint(child, "ShdPnd:") && !child.ended()) ::usleep(1000);
-  EXPECT_FALSE(child.ended());  // it waits for the scene
+  EXPECT_FALSE(child.ended());  // it is waiting for the scene
   EXPECT_FALSE(hasSigint(child, "SigCgt:"));
   child.send(SIGINT);
   if (!HasFailure()) {
@@ -158,7 +158,7 @@ TEST_F(Interruption, AnIgnoredSignalStaysIgnored) {
   EXPECT_TRUE(fs::exists(path("a.exr")));
 }
 
-/// Rows of `image` from the top that equal those of `whole` bit for bit.
+/// Number of rows from the top in which `image` equals `whole` bit for bit.
 int equalRows(const Image& image, const Image& whole) {
   const auto [here, there] =
       std::mismatch(image.pixels.begin(), image.pixels.end(), whole.pixels.begin());
@@ -166,7 +166,7 @@ int equalRows(const Image& image, const Image& whole) {
 }
 
 TEST(Stop, LeavesBothRenderersWithTheSamePartOfTheSamples) {
-  // The reference takes 2^18 samples at once: 64 a pixel of 64 x 64.
+  // The reference takes 2^18 samples at once: 64 per pixel of 64 x 64.
   const Scene scene = smallScene("cornell-two-lights.xml", 64, 192);
   ASSERT_EQ(scene.camera.height, 64);
   const Rendered reference = Reference(scene).render(StopAfter(2).options());
@@ -175,7 +175,7 @@ TEST(Stop, LeavesBothRenderersWithTheSamePartOfTheSamples) {
   EXPECT_EQ(reference.reached.wholeRows, 0);
 
   VulkanOptions vulkan = onTestDevice();
-  vulkan.samplesInFlight = 131072;  // 32 a pixel
+  vulkan.samplesInFlight = 131072;  // 32 per pixel
   Stats stats;
   const auto [image, reached, dropped] =
       Renderer(vulkan).render(scene, StopAfter(4).options(), stats);
@@ -190,7 +190,7 @@ TEST(Stop, LeavesBothRenderersWithTheSamePartOfTheSamples) {
 TEST(Stop, LeavesVulkansBandsWholeOrPartOrBlack) {
   const Scene scene = smallScene("cornell-two-lights.xml", 64, 32);
   VulkanOptions vulkan = onTestDevice();
-  vulkan.samplesInFlight = 10240;  // bands of some rows, eight samples a pass
+  vulkan.samplesInFlight = 10240;  // bands of some rows, eight samples per pass
   Renderer renderer(vulkan);
   Stats all;
   const Image whole = renderer.render(scene, {}, all).image;

@@ -1,4 +1,4 @@
-// SIGKILL at many moments of a run: the picture is the old one or the new one.
+// SIGKILL at many moments of a run leaves either the old or the new picture.
 #include <poll.h>
 #include <sys/inotify.h>
 
@@ -13,14 +13,14 @@
 namespace laver::test {
 namespace {
 
-/// Counts what happens to the files of a folder.
+/// Counts events on the files of a folder.
 class Watch {
  public:
   explicit Watch(const fs::path& folder) : queue_(::inotify_init1(IN_NONBLOCK)) {
     ::inotify_add_watch(queue_.get(), folder.c_str(),
                         IN_CREATE | IN_MODIFY | IN_DELETE | IN_MOVED_TO);
   }
-  /// Waits until `events` things happened or the child ended; false then.
+  /// Waits for `events` events; false if the child ended before.
   bool wait(int events, Child& child) {
     for (int seen = 0; seen < events;) {
       pollfd ready{queue_.get(), POLLIN, 0};
@@ -48,7 +48,7 @@ class Watch {
 
 class Kill : public CommandLine {
  protected:
-  /// Renders a picture of full bits, the one of two that `seed` says.
+  /// Arguments that render one of two pictures, chosen by `seed`.
   static std::vector<std::string> arguments(int seed) {
     return {(scenesFolder() / "curved-normals.xml").string(),
             "--reference",
@@ -88,7 +88,7 @@ TEST_F(Kill, LeavesTheOldPictureOrTheNewOne) {
   ASSERT_NE(exr_[0], exr_[1]);
   ASSERT_NE(png_[0], png_[1]);
 
-  // Evenly over the time that a run takes, and a bit more.
+  // Moments spread evenly over the duration of a run and a little more.
   constexpr int kMoments = 24;
   for (int moment = 1; moment <= kMoments && !HasFailure(); ++moment) {
     Child child(folder_, arguments(moment % 2));
@@ -97,12 +97,13 @@ TEST_F(Kill, LeavesTheOldPictureOrTheNewOne) {
     child.wait();
     expectOldOrNew();
   }
-  // After every step of making the files: two are tried, then two are made, written and renamed.
+  // Moments after each file operation: two files are probed, then two are created, written and
+  // renamed.
   for (int events = 1; events <= 14 && !HasFailure(); ++events) {
     for (const int seed : {0, 1}) {
       Watch watch(folder_);
       Child child(folder_, arguments(seed));
-      watch.wait(2 + events, child);  // out.txt and err.txt are two
+      watch.wait(2 + events, child);  // two events for out.txt and err.txt
       child.send(SIGKILL);
       child.wait();
       expectOldOrNew();
@@ -110,7 +111,7 @@ TEST_F(Kill, LeavesTheOldPictureOrTheNewOne) {
   }
   ASSERT_EQ(Child(folder_, arguments(0)).wait(), 0);
   EXPECT_EQ(readExr(path("a.exr")).pixels, exr_[0]);
-  EXPECT_EQ(files(), (std::set<std::string>{"a.exr", "a.png"}));  // nothing is left of the killed
+  EXPECT_EQ(files(), (std::set<std::string>{"a.exr", "a.png"}));  // killed runs left nothing
 }
 
 }  // namespace

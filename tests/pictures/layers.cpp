@@ -1,4 +1,4 @@
-// Layers and further pictures: what they hold, and that the picture beside them stays as it is.
+// Layers: their contents, and that they do not change the main picture.
 #include <fmt/format.h>
 
 #include <set>
@@ -13,7 +13,7 @@
 namespace laver::test {
 namespace {
 
-/// Those channels of a picture.
+/// The given channels of a picture.
 Image channelsOf(const Image& image, const std::vector<std::string>& names) {
   Image part = blackImage(image.width, image.height, names);
   for (std::size_t c = 0; c < names.size(); ++c) {
@@ -29,10 +29,10 @@ Image channelsOf(const Image& image, const std::vector<std::string>& names) {
   return part;
 }
 
-/// Pixels that differ by more than `tolerance` of 1 or the value.
+/// Pixels that differ by more than `tolerance` * max(1, value).
 struct Differing {
   int explained = 0, unexplained = 0;
-  std::string first;  ///< unexplained
+  std::string first;  ///< the first unexplained one
 };
 
 template <class Explains>
@@ -76,7 +76,7 @@ void expectLayersOfTheReference(const Scene& scene) {
   const Judge judge(scene, reference);
   ASSERT_EQ(image.channels, truth.channels);
   ASSERT_EQ(image.pixels.size(), truth.pixels.size());
-  // kTolerance of scenes.cpp. Samples fall into another facet at its edge only.
+  // kTolerance of scenes.cpp. Rounding changes the facet of a sample only at an edge.
   expectFew(differing(channelsOf(image, kMeans), channelsOf(truth, kMeans), 1e-4,
                       [&](int x, int y) { return judge.pixelSeesOtherHit(x, y); }),
             image);
@@ -95,8 +95,8 @@ TEST(Layers, EqualTheReference) {
   }
 }
 
-TEST(Layers, ThatAreWrongAtEveryEdgeAreFound) {
-  // Whatever explains them, such as a bound of half a pixel.
+TEST(Layers, AnErrorAtEveryEdgeIsFound) {
+  // An error at every edge, where each difference by itself is explained: their number shows it.
   const Scene scene = smallScene("cornell-two-lights.xml", 96, 1);
   const Reference reference(scene);
   const Image truth = channelsOf(reference.render(allLayers()).image, kPoints);
@@ -123,7 +123,8 @@ TEST(Layers, ThatAreWrongAtEveryEdgeAreFound) {
 }
 
 TEST(Layers, HoldTheVerticesTextureCoordinates) {
-  // u and v of the triangle's point are its x and y; the copies list their corners otherwise.
+  // u and v of a point of the triangle are its x and y; the copies list their corners in other
+  // orders.
   for (const glm::uvec3 order : {glm::uvec3(0, 1, 2), glm::uvec3(2, 0, 1), glm::uvec3(1, 0, 2)}) {
     Scene scene;
     scene.camera.width = scene.camera.height = 32;
@@ -148,13 +149,13 @@ TEST(Layers, HoldTheSignsOfNormals) {
   const Scene scene = smallScene("curved-normals.xml", 64, 2);
   const Image normals =
       channelsOf(render(scene, onTestDevice(), allLayers()), {"N.X", "N.Y", "N.Z"});
-  const auto [least, most] = std::minmax_element(normals.pixels.begin(), normals.pixels.end());
-  EXPECT_LT(*least, -0.5F);
-  EXPECT_GT(*most, 0.5F);
+  const auto [low, high] = std::minmax_element(normals.pixels.begin(), normals.pixels.end());
+  EXPECT_LT(*low, -0.5F);
+  EXPECT_GT(*high, 0.5F);
 }
 
-TEST(Layers, ArePositionsInTheScenesOwnSpaceAndTrianglesOfTheirMesh) {
-  // Two spheres, far from 0 and large; the second is seen through the film's centre.
+TEST(Layers, HoldPositionsInSceneSpaceAndTrianglesOfTheirMesh) {
+  // Two large spheres far from the origin; the second is seen through the film's centre.
   Scene scene;
   scene.camera.width = scene.camera.height = 33;
   scene.camera.toWorld = glm::dmat4(1.0);
@@ -172,12 +173,12 @@ TEST(Layers, ArePositionsInTheScenesOwnSpaceAndTrianglesOfTheirMesh) {
   const auto hit = Reference(scene).closest(glm::dvec2(16.5));
   ASSERT_TRUE(hit);
   EXPECT_EQ(at.at(16, 16, 5), static_cast<float>(hit->triangle - scene.meshes[0].triangles.size()));
-  // A corner of the film meets nothing.
+  // The film's corner sees nothing.
   for (std::size_t c = 0; c < 4; ++c) EXPECT_EQ(at.at(0, 0, c), 0.0F);
   for (std::size_t c = 4; c < 6; ++c) EXPECT_EQ(at.at(0, 0, c), -1.0F);
 }
 
-TEST(Layers, OfNothingAreEmpty) {
+TEST(Layers, OfAnEmptySceneAreEmpty) {
   Scene scene;
   scene.camera.width = 40;
   scene.camera.height = 30;
@@ -188,7 +189,7 @@ TEST(Layers, OfNothingAreEmpty) {
             std::vector<float>(std::size_t{40} * 30, -1.0F));
 }
 
-TEST(Layers, LeaveThePicturesBits) {
+TEST(Layers, DoNotChangeThePicturesBits) {
   Scene scene = smallScene("mirrored-instances.xml", 96, 5);
   RenderOptions options = allLayers();
   options.more = {{&integrators::depth}, {&integrators::normals}};
@@ -205,7 +206,7 @@ TEST(Layers, LeaveThePicturesBits) {
       0U);
 }
 
-TEST(Layers, AreTheSameHoweverTheyAreMade) {
+TEST(Layers, HaveTheSameBitsForAnyTiling) {
   const Scene scene = smallScene("mirrored-instances.xml", 131, 5);
   const RenderOptions options = allLayers();
   const Image whole = render(scene, onTestDevice(), options);
@@ -229,7 +230,7 @@ TEST(Layers, AreTheSameHoweverTheyAreMade) {
   EXPECT_EQ(differingFloats(part, wanted), 0U);
 }
 
-TEST(Layers, OfAStoppedRenderAreCounted) {
+TEST(Layers, UnfinishedOnesAreCountedInAStoppedRender) {
   const Scene scene = smallScene("cornell-two-lights.xml", 64, 8);
   VulkanOptions vulkan = onTestDevice();
   vulkan.samplesInFlight = 5120;  // several passes
@@ -244,7 +245,7 @@ TEST(Layers, OfAStoppedRenderAreCounted) {
     Stats stats;
     const auto [image, reached, dropped] = Renderer(vulkan).render(scene, options, stats);
     EXPECT_EQ(reached.wholeRows == 64, passes >= picture);
-    EXPECT_EQ(reached.unfinished, 3);  // normals, albedo, and what lies at centres
+    EXPECT_EQ(reached.unfinished, 3);  // normals, albedo, and the layers of pixel centres
     const Image samples = channelsOf(image, {"samples"});
     EXPECT_EQ(samples.at(0, 0, 0), 8.0F);
     EXPECT_EQ(samples.at(0, 63, 0) == 8.0F, passes >= picture);
@@ -297,7 +298,7 @@ TEST_F(CommandLine, TheAlbedoLayerNeedsMaterials) {
       << uv.err;
 }
 
-TEST_F(CommandLine, LayersThatThereAreNotAreRefused) {
+TEST_F(CommandLine, UnknownLayersAreRefused) {
   write("a.xml", kFirstScene);
   for (const char* option :
        {"--layers foo", "--layers id,id", "--layers id,", "--integrator albedo",

@@ -1,11 +1,11 @@
-// The window where there can be none: no display, or a build without GLFW and Dear ImGui.
+// Behaviour without a window: no display, or a build without GLFW and Dear ImGui.
 #include "image/io.h"
 #include "pictures/command_line.h"
 
 namespace laver::test {
 namespace {
 
-TEST_F(CommandLine, WithoutADisplayTheFilesAreWrittenAllTheSame) {
+TEST_F(CommandLine, WithoutADisplayTheFilesAreStillWritten) {
   write("a.xml", "<scene><integrator type=\"normals\"/><camera type=\"perspective\"/></scene>\n");
   const Outcome run = laver("a.xml --gui --reference --size 8x8 -q", "env -u DISPLAY");
   EXPECT_EQ(run.code, 0);
@@ -27,7 +27,7 @@ TEST_F(CommandLine, WithoutADisplayTheViewerSaysSo) {
   }
 }
 
-TEST_F(CommandLine, TheViewerRefusesWhatItCannotShow) {
+TEST_F(CommandLine, TheViewerRefusesInvalidFiles) {
   writeExr(path("a.exr"), rgbImage(4, 4));
   writeExr(path("b.exr"), rgbImage(4, 5));
   for (const char* arguments : {"view", "view none.exr", "none.exr", "view a.exr b.exr"}) {

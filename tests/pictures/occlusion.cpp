@@ -1,4 +1,4 @@
-// The integrators av and ao beyond the ready scenes: lengths, both traversals, crops.
+// The integrators av and ao: lengths, all traversals, crops.
 #include "pictures/explain.h"
 #include "pictures/harness.h"
 #include "support/bumpy_sphere.h"
@@ -6,8 +6,8 @@
 namespace laver::test {
 namespace {
 
-/// From inside a bumpy sphere, with a wide view: rays and directions of all kinds.
-Scene insideABall(const IntegratorRow& integrator) {
+/// The inside of a bumpy sphere in a wide view: rays in all directions.
+Scene insideASphere(const IntegratorRow& integrator) {
   Scene scene;
   scene.integrator = {&integrator};
   scene.meshes = {bumpySphere(60, 90, 0.05, glm::dvec3(0.1, 0.0, 0.0)),
@@ -29,7 +29,7 @@ double mean(const Image& image) {
 }
 
 TEST(Occlusion, EveryLengthEqualsTheReference) {
-  Scene scene = insideABall(integrators::averageVisibility);
+  Scene scene = insideASphere(integrators::averageVisibility);
   double before = 1.0;
   for (const double length : {1e-30, 1e-6, 1e-3, 0.1, 0.7, 2.0, 1e30}) {
     SCOPED_TRACE(length);
@@ -44,8 +44,8 @@ TEST(Occlusion, EveryLengthEqualsTheReference) {
   EXPECT_GT(mean(render(scene)), 0.999);
 }
 
-TEST(Occlusion, AmbientOcclusionInTheOpen) {
-  Scene scene = insideABall(integrators::ambientOcclusion);
+TEST(Occlusion, AmbientOcclusionFromOutsideEqualsTheReference) {
+  Scene scene = insideASphere(integrators::ambientOcclusion);
   scene.meshes.erase(scene.meshes.begin());
   scene.meshes.push_back(bumpySphere(12, 20, 0.2, glm::dvec3(1.0, 0.5, 0.4)));
   expectTraversalsMatch(scene, 1e-4);

@@ -8,7 +8,7 @@ namespace laver::test {
 namespace {
 
 constexpr const char* kRender =
-    "test.xml --reference --size 40x30 --integrator depth -o a.exr ";  // without a warning
+    "test.xml --reference --size 40x30 --integrator depth -o a.exr ";  // a scene without warnings
 
 class OutputFailure : public CommandLine {
  protected:
@@ -42,7 +42,7 @@ TEST_F(OutputFailure, StandardOutputIsFullOrClosed) {
   }
 }
 
-TEST_F(OutputFailure, StandardOutputIsAPipeThatNobodyReads) {
+TEST_F(OutputFailure, StandardOutputIsAClosedPipe) {
   int ends[2] = {-1, -1};
   ASSERT_EQ(::pipe(ends), 0);
   ::close(ends[0]);
@@ -55,19 +55,19 @@ TEST_F(OutputFailure, StandardOutputIsAPipeThatNobodyReads) {
 TEST_F(OutputFailure, QuietNeedsNoStandardOutput) {
   const Outcome run = laver(std::string(kRender) + "--quiet", "", ">&- 2>&- <&-");
   EXPECT_EQ(run.code, 0);
-  // No file took the place of a closed descriptor and what is printed there.
+  // No file got the number of a closed descriptor and what is printed to it.
   EXPECT_EQ(readExr(path("a.exr")).width, 40);
   EXPECT_EQ(files(), before_);
 }
 
 TEST_F(OutputFailure, TheDiskIsFull) {
-  // A limit on file sizes, in blocks of at least 512 bytes: what is written ends half-way.
+  // A limit on file sizes, in blocks of at least 512 bytes, ends writing half-way.
   const std::string scene = (scenesFolder() / "curved-normals.xml").string();
   expectRefused(laver(scene + " --reference --size 64x64 --spp 1 --quiet -o a.exr", "ulimit -f 1;"),
                 "a.exr\": File too large");
 }
 
-TEST_F(OutputFailure, TheFigureFileCannotBeWritten) {
+TEST_F(OutputFailure, TheStatisticsFileCannotBeWritten) {
   const Outcome run = laver(std::string(kRender) + "--quiet --stats=/dev/full");
   EXPECT_EQ(run.code, 1);
   EXPECT_EQ(run.err, "laver: /dev/full: cannot be written\n");
@@ -87,7 +87,7 @@ TEST_F(OutputFailure, ALinkIsFollowedAndStays) {
   fs::remove(path("a.exr"));
   fs::create_directory(path("elsewhere"));
   fs::create_symlink("elsewhere/b.exr", path("a.exr"));
-  for (int i = 0; i < 2; ++i) {  // first the target is not there
+  for (int i = 0; i < 2; ++i) {  // at first the target does not exist
     const Outcome run = laver(std::string(kRender) + "--quiet");
     EXPECT_EQ(run.code, 0) << run.err;
     EXPECT_TRUE(fs::is_symlink(path("a.exr")));

@@ -1,11 +1,11 @@
-// BSDFs in files of one's own.
+// BSDFs from users' files.
 #include "image/io.h"
 #include "pictures/command_line.h"
 
 namespace laver::test {
 namespace {
 
-// Lambert's, by another name, times a number.
+// A copy of the diffuse BSDF, times a number.
 constexpr const char* kScaled =
     "vec3 mineEval(Material m, vec3 normal, vec3 wi, vec3 wo, vec3 light) {\n"
     "  const bool above = dotProduct(normal, wi) > 0.0 && dotProduct(normal, wo) > 0.0;\n"
@@ -41,7 +41,7 @@ class OwnBsdf : public CommandLine {
   Outcome outcome_;
 };
 
-TEST_F(OwnBsdf, ShowsWhatLaversOwnOfTheSameFormulaShows) {
+TEST_F(OwnBsdf, EqualsTheBuiltInBsdfThatItCopies) {
   write("mine.glsl", kScaled);
   const char* const color = "<color name=\"albedo\" value=\"0.5 0.25 0.125\"/>";
   const Image own = render(std::string("<bsdf type=\"mine\">") + color +

@@ -1,4 +1,4 @@
-// Integrators in files of one's own: run at once, and again after an edit.
+// Integrators from users' files: used at once, and again after an edit.
 #include "image/io.h"
 #include "pictures/command_line.h"
 
@@ -28,7 +28,7 @@ class OwnIntegrator : public CommandLine {
   float centre() { return readExr((folder_ / "a.exr").string()).at(4, 4, 0); }
 };
 
-TEST_F(OwnIntegrator, BesideTheSceneRunsAndRunsAnewWhenItIsEdited) {
+TEST_F(OwnIntegrator, NextToTheSceneIsUsedAndRecompiledAfterAnEdit) {
   write("mine.glsl", kGrey);
   Outcome run = render();
   ASSERT_EQ(run.code, 0) << run.err;
@@ -41,7 +41,7 @@ TEST_F(OwnIntegrator, BesideTheSceneRunsAndRunsAnewWhenItIsEdited) {
   EXPECT_EQ(centre(), 0.5F);
 }
 
-TEST_F(OwnIntegrator, OnTheCommandLineStandsForTheScenes) {
+TEST_F(OwnIntegrator, OnTheCommandLineReplacesTheScenes) {
   write("mine.glsl", kGrey);
   write("white.glsl",
         "void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {\n"
@@ -72,7 +72,7 @@ TEST_F(OwnIntegrator, IncludesLaversOwnFilesAndNoOthers) {
   EXPECT_EQ(run.err, "mine.glsl:1: error: laver has no file \"other.glsl\" to include\n");
 }
 
-TEST_F(OwnIntegrator, TheReferenceHasNone) {
+TEST_F(OwnIntegrator, TheReferenceRefusesIt) {
   write("mine.glsl", kGrey);
   const Outcome run = render("--reference");
   EXPECT_EQ(run.code, 3);

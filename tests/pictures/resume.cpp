@@ -1,4 +1,4 @@
-// A render that goes on from sums has the bits of one that never stopped.
+// A resumed render has the same bits as one that was never stopped.
 #include "commands/resume.h"
 
 #include "core/error.h"
@@ -17,7 +17,7 @@ Scene sceneOf(const SamplerRow* kind, std::uint32_t samples) {
   return scene;
 }
 
-/// Bands of some rows, few samples a pass.
+/// Bands of some rows, few samples per pass.
 VulkanOptions inPieces(const char* traversal) {
   VulkanOptions vulkan = onTestDevice();
   vulkan.traversal = traversal;
@@ -25,7 +25,7 @@ VulkanOptions inPieces(const char* traversal) {
   return vulkan;
 }
 
-/// As a file keeps it.
+/// The state after writing it to a file and reading it back.
 FilmState throughAFile(const FilmState& state, const std::string& file) {
   writeState(file, state, 1);
   return readState(file);
@@ -33,8 +33,8 @@ FilmState throughAFile(const FilmState& state, const std::string& file) {
 
 class Resume : public CommandLine {
  protected:
-  /// Renders `passes` passes, as `keep` says, and then the rest.
-  Image inTwoGoes(Renderer& renderer, const Scene& first, const Scene& then, int passes,
+  /// Renders `passes` passes, and then the rest from the kept sums.
+  Image inTwoRuns(Renderer& renderer, const Scene& first, const Scene& then, int passes,
                   Keep keep) {
     FilmState state(keep);
     Stats stats;
@@ -55,10 +55,10 @@ TEST_F(Resume, AfterAnInterruptionAnywhereByLaneAndPackets) {
     const Image whole = renderer.render(scene, {}, stats).image;
     ASSERT_GT(stats.bands, 2U);
     for (const int passes : {0, 3, 4, 6, static_cast<int>(stats.passes) - 1})
-      EXPECT_EQ(differingFloats(whole, inTwoGoes(renderer, scene, scene, passes, Keep::WhenEnded)),
+      EXPECT_EQ(differingFloats(whole, inTwoRuns(renderer, scene, scene, passes, Keep::WhenEnded)),
                 0U)
           << traversal << ' ' << kind->name << " after " << passes << " passes";
-    EXPECT_EQ(differingFloats(whole, inTwoGoes(renderer, scene, scene, 6, Keep::Always)), 0U);
+    EXPECT_EQ(differingFloats(whole, inTwoRuns(renderer, scene, scene, 6, Keep::Always)), 0U);
   }
 }
 
@@ -70,7 +70,7 @@ TEST_F(Resume, SobolGoesOnBeyondTheCountItWasBegunWith) {
     Stats stats;
     const Image whole = renderer.render(many, {}, stats).image;
     for (const int passes : {3, 1000})
-      EXPECT_EQ(differingFloats(whole, inTwoGoes(renderer, sceneOf(&samplers::sobol, few), many,
+      EXPECT_EQ(differingFloats(whole, inTwoRuns(renderer, sceneOf(&samplers::sobol, few), many,
                                                  passes, Keep::Always)),
                 0U)
           << traversal << " from " << few << " after " << passes << " passes";
@@ -87,8 +87,8 @@ TEST_F(Resume, IsTheSameInOneBand) {
   EXPECT_EQ(differingFloats(whole, one.render(scene, {}, state, stats).image), 0U);
 }
 
-TEST_F(Resume, AnEndedOneIsThePictureOfBothGoes) {
-  // 16 samples everywhere, then some rows of 64: nothing is black.
+TEST_F(Resume, AStoppedSecondRunShowsTheFirstWhereItIsMissing) {
+  // 16 samples in every row, then 64 in some: nothing is black.
   Renderer renderer(inPieces("packet"));
   FilmState state(Keep::Always);
   Stats stats;
@@ -117,13 +117,13 @@ TEST_F(Resume, OnTheCommandLine) {
   EXPECT_EQ(laver(arguments("--sampler sobol --spp 64")).code, 0);
   EXPECT_EQ(differingFloats(went, readExr(path("a.exr"))), 0U);
 
-  // Nothing is left to be done: the picture again.
+  // Nothing is left to render: the same picture again.
   EXPECT_EQ(laver(arguments("--sampler sobol --spp 64 --resume --stats=s.json")).code, 0);
   EXPECT_NE(contents(path("s.json")).find("\"passes\": 0"), std::string::npos);
   EXPECT_EQ(differingFloats(went, readExr(path("a.exr"))), 0U);
 }
 
-TEST_F(Resume, WhatCannotGoOnIsRefusedInOneLine) {
+TEST_F(Resume, InvalidFilesAreRefusedInOneLine) {
   const auto refused = [&](const std::string& more, const std::string& reason,
                            const char* size = "40x40") {
     const Outcome run = laver(arguments(more + " --resume", size));
@@ -131,7 +131,7 @@ TEST_F(Resume, WhatCannotGoOnIsRefusedInOneLine) {
     EXPECT_EQ(run.err, "laver: cannot resume from \"a.state.exr\": " + reason + "\n");
   };
   ASSERT_EQ(laver(arguments("--sampler sobol --spp 8 --resume")).code, 0);
-  refused("--sampler sobol --spp 4", "it holds 8 samples a pixel, 4 are asked for");
+  refused("--sampler sobol --spp 4", "it holds 8 samples per pixel, 4 are requested");
   refused("--sampler sobol --spp 16 --seed 2", "seed was 0, now it is 2");
   refused("--sampler sobol --spp 16 --integrator depth",
           "integrator was direct_whitted, now it is depth");
@@ -144,7 +144,7 @@ TEST_F(Resume, WhatCannotGoOnIsRefusedInOneLine) {
   EXPECT_EQ(reference.code, 2);
   EXPECT_EQ(lines(reference.err), 1);
 
-  // A byte in the middle, which is one of a chunk's, or of one that is stored bare.
+  // Damages a byte in the middle, which lies in a compressed or a stored chunk.
   std::string bytes = contents(path("a.state.exr"));
   bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 4);
   write("a.state.exr", bytes);
@@ -176,7 +176,7 @@ TEST_F(Resume, AnotherSceneOrCountIsRefused) {
   };
   EXPECT_EQ(
       reasonOf(scene, sceneOf(&samplers::stratified, 64), Keep::Always),
-      "begun with 16 samples a pixel, 64 are asked for: this sampler's samples depend on their "
+      "started with 16 samples per pixel, 64 are requested: this sampler's samples depend on their "
       "count, those of sobol do not");
   EXPECT_EQ(reasonOf(sceneOf(&samplers::sobol, 16), sceneOf(&samplers::sobol, 64), Keep::WhenEnded)
                 .substr(0, 30),

@@ -1,4 +1,4 @@
-// The picture does not depend on how it was made.
+// The bits of a picture do not depend on threads, tiling, traversal or kernel.
 #include <cstdlib>
 #include <utility>
 
@@ -33,7 +33,8 @@ TEST(SameBits, OneAndTwoThreadsOfTheHost) {
 TEST(SameBits, OtherBandsAndPasses) {
   const Scene scene = bunny();
   const Image whole = render(scene);
-  // All samples of a few rows a pass; one row at a time; two of five samples of the film a pass.
+  // Passes of all samples of a few rows, of one row, and of two of the five samples of the whole
+  // film.
   const auto width = static_cast<std::uint64_t>(scene.camera.width);
   for (const std::uint64_t slots : {width * 7 * 5, width * 5, width * width * 2}) {
     VulkanOptions vulkan = onTestDevice();
@@ -75,7 +76,7 @@ TEST(SameBits, KernelsSpecialisedToTheSceneOrNot) {
 
 TEST(SameBits, LaneAndPackets) {
   for (const std::string& name : sceneNames()) {
-    // An odd width leaves packets with rays that do not live.
+    // An odd width leaves inactive rays in packets.
     const Scene scene = smallScene(name, 131, 2);
     expectSameByAll(render(scene), scene);
   }
@@ -103,9 +104,9 @@ TEST(SameBits, WholeFilmOrASmallVisibleRegionInBandsAndCrops) {
   VulkanOptions whole = onTestDevice();
   whole.wholeFilm = true;
   Scene scene = smallScene("bunny-whitted.xml", 150, 20);
-  scene.meshes.resize(1);  // no floor
+  scene.meshes.resize(1);  // without the floor
   scene.camera.fov = 60.0;
-  // A reach of 5 pixels takes the slower gathering.
+  // A reach of 5 pixels uses gather_lane.glsl.
   for (const auto& [kind, radius] : {std::pair(&filters::gaussian, 5.0),
                                      {&filters::mitchell, 2.0},
                                      {&filters::tent, 1.0},
@@ -137,20 +138,20 @@ TEST(SameBits, WholeFilmOrASmallVisibleRegionInBandsAndCrops) {
 }
 
 TEST(SameBits, AnyNumberOfSamplesSideBySide) {
-  // 85 samples of a mesh finer than the film: tiles of 64, 16, 4 and 1 samples.
+  // 85 samples of a mesh finer than the film: tiles of 64, 16, 4 and 1 samples per pixel.
   const Scene scene = smallScene("bunny-whitted.xml", 35, 85);
   const Image image = render(scene);
   expectSameByAll(image, scene);
   for (const std::string& traversal : traversals()) {
     VulkanOptions few = onTestDevice(traversal);
-    few.samplesInFlight = std::uint64_t{64} * 35 * 8;  // eight samples a pass: tiles of 4
+    few.samplesInFlight = std::uint64_t{64} * 35 * 8;  // eight samples per pass: tiles of 4
     EXPECT_EQ(differingFloats(image, render(scene, few)), 0U) << traversal;
   }
 }
 
 TEST(SameBits, LaneAndPacketsFromInsideAMeshWithAWideView) {
-  // Rays of one packet fall into several groups of axis, sign and slope, and so do its shadow
-  // rays: the light is inside too.
+  // The rays of one packet form several groups by axis, sign and slope, and so do its shadow rays,
+  // since the light is inside, too.
   Scene scene;
   scene.integrator = {&integrators::directWhitted};
   scene.meshes = {bumpySphere(60, 90, 0.05, glm::dvec3(0.1, 0.0, 0.0))};
@@ -165,7 +166,7 @@ TEST(SameBits, LaneAndPacketsFromInsideAMeshWithAWideView) {
 }
 
 TEST(SameBits, OrderOfTheLightsBatches) {
-  // Nine lights take two dispatches; the ninth alone differs by exactly its own share.
+  // Nine lights take two dispatches; the ninth contributes exactly its own share.
   Scene scene = smallScene("cornell-two-lights.xml", 48, 1);
   scene.lights.resize(9, scene.lights.at(0));
   for (auto& light : scene.lights) light.radiance = glm::dvec3(0.0);

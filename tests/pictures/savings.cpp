@@ -1,4 +1,4 @@
-// Each thing that kernels leave out for a scene changes no bit of its picture by itself.
+// Each part that kernels leave out for a scene changes no bit of its picture.
 #include <algorithm>
 
 #include "pictures/harness.h"
@@ -7,28 +7,28 @@
 namespace laver::test {
 namespace {
 
-/// Scenes that differ in what they need.
+/// Scenes with different needs.
 std::vector<Scene> scenes() {
   std::vector<Scene> all;
-  // Vertex normals and albedos at once, a tent, strata.
+  // Vertex normals and albedos, tent filter, stratified sampler.
   all.push_back(smallScene("curved-normals.xml", 35, 2));
   all[0].integrator = {&integrators::directWhitted};
   all[0].sampler.row = &samplers::stratified;
   all[0].meshes[0].bsdf.albedo = glm::dvec3(0.1, 0.5, 0.9);
-  // Neither; no light; a box.
+  // Neither normals nor light; box filter.
   all.push_back(smallScene("cornell-two-lights.xml", 35, 1));
   all[1].lights.clear();
   all[1].filter.row = &filters::box;
   all[1].filter.radius = 0.5;
-  // 34 triangles; Mitchell, Sobol.
+  // 34 triangles; Mitchell filter, Sobol sampler.
   all.push_back(smallScene("cornell-two-lights.xml", 35, 2));
   all[2].sampler.row = &samplers::sobol;
-  // One albedo; a gaussian, independent samples.
+  // One albedo; Gaussian filter, independent sampler.
   all.push_back(all[2]);
   all[3].filter = {};
   all[3].sampler.row = &samplers::independent;
   for (Mesh& mesh : all[3].meshes) mesh.bsdf.albedo = all[2].meshes[0].bsdf.albedo;
-  // A checker and a background of one radiance: no picture.
+  // A checker and a background of one radiance: no image.
   all.push_back(all[3]);
   all[4].meshes[1].bsdf.texture = Texture();
   all[4].environment = Environment();
@@ -37,7 +37,7 @@ std::vector<Scene> scenes() {
 
 class General : public testing::TestWithParam<std::string> {};
 
-TEST_P(General, APartThatASceneDoesNotNeedChangesNoBit) {
+TEST_P(General, AnUnusedPartChangesNoBit) {
   const std::string& part = GetParam();
   bool changed = false;
   for (const Scene& scene : scenes()) {
@@ -46,7 +46,7 @@ TEST_P(General, APartThatASceneDoesNotNeedChangesNoBit) {
     if (general.pictures.front().key == needed.pictures.front().key &&
         general.gather == needed.gather && general.uploads.indexBytes == needed.uploads.indexBytes)
       continue;
-    // One scene by all traversals.
+    // Only one scene by all traversals.
     for (const std::string& traversal : traversals()) {
       if (changed && traversal != std::string("packet32")) continue;
       VulkanOptions vulkan = onTestDevice(traversal);
@@ -77,7 +77,7 @@ TEST(WithoutALight, NoTreeIsUploadedAndThePictureIsBlack) {
   for (const float value : image.pixels) EXPECT_EQ(value, 0.0F);
 }
 
-TEST(WithoutALight, ABackgroundIsSeenBesideTheMeshes) {
+TEST(WithoutALight, ABackgroundIsSeenAroundTheMeshes) {
   Scene scene = smallScene("cornell-two-lights.xml", 32, 1);
   scene.lights.clear();
   scene.filter = {};        // no weight is negative
@@ -86,11 +86,11 @@ TEST(WithoutALight, ABackgroundIsSeenBesideTheMeshes) {
   const Image image = render(scene);
   const auto ends = std::minmax_element(image.pixels.begin(), image.pixels.end());
   EXPECT_EQ(*ends.first, 0.0F);
-  EXPECT_NEAR(*ends.second, 1.0F, 1e-6F);  // a quotient of sums
+  EXPECT_NEAR(*ends.second, 1.0F, 1e-6F);  // quotient of sums
 }
 
-TEST(WithoutALight, LayersShowWhatEachShowsAlone) {
-  // The picture itself reads nothing; one layer reads normals, another materials and textures.
+TEST(WithoutALight, LayersEqualTheirIntegratorsAlone) {
+  // The main picture reads nothing; one layer reads normals, another materials and textures.
   Scene scene = smallScene("curved-normals.xml", 16, 2);
   scene.integrator = {&integrators::directWhitted};
   scene.lights.clear();
@@ -106,16 +106,16 @@ TEST(WithoutALight, LayersShowWhatEachShowsAlone) {
     for (const LayerRow* layer : options.layers) {
       RenderOptions one;
       one.layers = {layer};
-      const Image alone = render(scene, onTestDevice(), one);
-      float most = 0.0F;
+      const Image single = render(scene, onTestDevice(), one);
+      float largest = 0.0F;
       for (int y = 0; y < all.height; ++y)
         for (int x = 0; x < all.width; ++x)
-          for (std::size_t c = 3; c < alone.channels.size(); ++c) {
-            EXPECT_EQ(all.at(x, y, first + c - 3), alone.at(x, y, c)) << alone.channels[c];
-            most = std::max(most, alone.at(x, y, c));
+          for (std::size_t c = 3; c < single.channels.size(); ++c) {
+            EXPECT_EQ(all.at(x, y, first + c - 3), single.at(x, y, c)) << single.channels[c];
+            largest = std::max(largest, single.at(x, y, c));
           }
-      EXPECT_GT(most, 0.0F) << alone.channels.back();
-      first += alone.channels.size() - 3;
+      EXPECT_GT(largest, 0.0F) << single.channels.back();
+      first += single.channels.size() - 3;
     }
   }
 }

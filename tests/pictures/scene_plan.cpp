@@ -1,4 +1,4 @@
-// What `laver plan` says holds.
+// `laver plan` agrees with the render.
 #include "render/scene_plan.h"
 
 #include <nlohmann/json.hpp>
@@ -16,7 +16,7 @@ const Reason& line(const ScenePlan& plan, const std::string& what) {
   throw std::out_of_range(what);
 }
 
-/// Bytes that a scene's upload grows by where this part is made general.
+/// Bytes that a scene's upload grows by if this part is made general.
 std::uint64_t bytesSaved(const Scene& scene, const std::string& part) {
   const Choices needed = choicesOf(scene);
   Uploads general = generalised(needed, {part}).uploads;
@@ -24,7 +24,7 @@ std::uint64_t bytesSaved(const Scene& scene, const std::string& part) {
   return bytesOf(pack(scene, {}, general)) - bytesOf(pack(scene, {}, needed.uploads));
 }
 
-TEST(ScenePlan, BytesAreThoseThatAGenericRenderUploadsMore) {
+TEST(ScenePlan, SavedBytesAreTheDifferenceToAGeneralRender) {
   for (const char* name : {"bunny-depth.xml", "bunny-whitted.xml", "cornell-two-lights.xml",
                            "curved-normals.xml", "mirrored-instances.xml"}) {
     const Scene scene = smallScene(name, 16, 1);
@@ -38,7 +38,7 @@ TEST(ScenePlan, BytesAreThoseThatAGenericRenderUploadsMore) {
   }
 }
 
-TEST(ScenePlan, FiguresAreThoseOfTheRender) {
+TEST(ScenePlan, NumbersEqualTheRenders) {
   int less = 0;
   for (const char* name : {"bunny-whitted.xml", "cornell-two-lights.xml"}) {
     const Scene scene = smallScene(name, 300, 37);
@@ -59,7 +59,7 @@ TEST(ScenePlan, FiguresAreThoseOfTheRender) {
   EXPECT_EQ(less, 1);  // the crop of the box has no black edge
 }
 
-TEST(ScenePlan, TellsTheTraversalThatTheRenderTakes) {
+TEST(ScenePlan, NamesTheTraversalOfTheRender) {
   Scene scene = smallScene("bunny-normals.xml", 16, 1);  // 69,666 triangles for 256 rays
   for (const int width : {16, 768}) {
     scene.camera.width = scene.camera.height = width;
@@ -70,8 +70,8 @@ TEST(ScenePlan, TellsTheTraversalThatTheRenderTakes) {
   EXPECT_EQ(planScene(scene, {}, onTestDevice("lane"), testDeviceInfo()).traversal, "lane");
 }
 
-TEST(ScenePlan, TellsWhatSamplerAdaptionAndDensityDecide) {
-  Scene scene = smallScene("bunny-normals.xml", 200, 85);  // 1.7 triangles to a pixel
+TEST(ScenePlan, ShowsTheEffectsOfSamplerAdaptionAndDensity) {
+  Scene scene = smallScene("bunny-normals.xml", 200, 85);  // 1.7 triangles per pixel
   ScenePlan plan = planScene(scene, {}, {}, testDeviceInfo());
   EXPECT_EQ(line(plan, "sampler").choice, "independent");
   EXPECT_EQ(line(plan, "adaptive").choice, "off");
@@ -87,7 +87,7 @@ TEST(ScenePlan, TellsWhatSamplerAdaptionAndDensityDecide) {
   EXPECT_EQ(line(plan, "adaptive").choice, "1 to 84 samples per pixel");
 }
 
-TEST(ScenePlan, TellsOfTexturesBackgroundAndLayers) {
+TEST(ScenePlan, ListsTexturesBackgroundAndLayers) {
   Scene scene = smallScene("curved-normals.xml", 16, 1);
   scene.integrator = {&integrators::directWhitted};
   scene.lights.clear();
@@ -111,7 +111,7 @@ TEST(ScenePlan, TellsOfTexturesBackgroundAndLayers) {
   EXPECT_NE(line(plan, "vertex normals").choice, "left out");
 }
 
-TEST(ScenePlan, TellsOfSpheres) {
+TEST(ScenePlan, ListsSpheres) {
   const Scene scene = smallScene("spheres.xml", 16, 1);
   const ScenePlan plan = planScene(scene, {}, {}, testDeviceInfo());
   EXPECT_EQ(line(plan, "spheres").choice, "5 spheres");

@@ -1,4 +1,4 @@
-// Every scene of scenes/ on the CPU device against the double-precision reference.
+// Every scene of scenes/ on the test device against the double-precision reference.
 #include <algorithm>
 
 #include "pictures/explain.h"
@@ -7,8 +7,8 @@
 namespace laver::test {
 namespace {
 
-// The promise of the product: float arithmetic over unit-sized data keeps values of about 1 within
-// some tens of ulp (6e-8), so 1e-4 leaves room for grazing angles and none for another surface.
+// The accuracy that laver promises. Float arithmetic over unit-sized data keeps values of about 1
+// within some tens of ulp (6e-8), so 1e-4 has room for grazing angles but not for another surface.
 constexpr double kTolerance = 1e-4;
 
 void expectMatch(const Scene& scene, bool noriCompat = false) {
@@ -37,7 +37,7 @@ TEST_P(FullSizeScene, EqualsTheReference) {
 }
 INSTANTIATE_TEST_SUITE_P(Full, FullSizeScene, testing::ValuesIn(sceneNames()), sceneTestName);
 
-// Who adds a scene counts it here, so that none is lost unnoticed.
+// Update the number with each new scene, so that a lost one is noticed.
 TEST(Scenes, AreAllFound) { EXPECT_EQ(sceneNames().size(), 12U); }
 
 TEST(Scenes, EveryFilterEqualsTheReferenceExactAndByNorisTable) {
@@ -79,8 +79,8 @@ TEST(Scenes, ManyLightsAreSummedOverSeveralDispatches) {
   expectMatch(scene);
 }
 
-TEST(Scenes, FourThousandSamplesAPixelLoseNone) {
-  // One invocation may run 65,535 loop iterations on lavapipe; a sample lost there would show.
+TEST(Scenes, FourThousandSamplesPerPixelLoseNone) {
+  // One invocation may run 65,535 loop iterations on lavapipe; samples beyond that would be lost.
   expectMatch(smallScene("cornell-two-lights.xml", 12, 4096));
 }
 
@@ -102,9 +102,9 @@ TEST(Scenes, WithoutMeshesThePictureIsBlack) {
       std::all_of(image.pixels.begin(), image.pixels.end(), [](float v) { return v == 0.0F; }));
 }
 
-TEST(Scenes, CopiesOfATriangleGoToTheFirstHoweverTheyListTheirCorners) {
-  // Every triangle of a soup six times, corners permuted; the copies face both ways and carry
-  // other albedos, so the wrong winner shows.
+TEST(Scenes, TheFirstOfCopiedTrianglesIsHitWhateverTheOrderOfCorners) {
+  // Six copies of every triangle of a soup, with corners permuted. They face both ways and have
+  // different albedos, so a wrong winner is visible.
   Scene scene = smallScene("cornell-two-lights.xml", 96, 2);
   Mesh all;
   for (const Mesh& mesh : scene.meshes)
@@ -129,8 +129,8 @@ TEST(Scenes, CopiesOfATriangleGoToTheFirstHoweverTheyListTheirCorners) {
   EXPECT_EQ(differingFloats(six, render(scene)), 0U);
 }
 
-TEST(Scenes, ADifferenceThatNoDecisionExplainsIsFound) {
-  // The explanation must be able to fail: brighten one pixel in the middle of a wall.
+TEST(Scenes, AnUnexplainedDifferenceIsFound) {
+  // Negative control: one pixel in the middle of a wall is brightened.
   const Scene scene = smallScene("cornell-two-lights.xml", 64, 2);
   const Reference reference(scene);
   const Judge judge(scene, reference);

@@ -1,4 +1,4 @@
-// Shadow rays: no acne, however far the light.
+// Shadow rays cause no acne, however far the light is.
 #include <algorithm>
 #include <numbers>
 
@@ -9,8 +9,9 @@
 namespace laver::test {
 namespace {
 
-/// A sphere lit from afar, one sample a pixel; the light is as bright on it at any distance.
-Scene litBall(double bump, double distance) {
+/// A sphere under a distant light that is equally bright on it at any distance; one sample per
+/// pixel.
+Scene litSphere(double bump, double distance) {
   const glm::dvec3 centre(0.3, 0.2, 0.1);
   Scene scene;
   scene.integrator = {&integrators::directWhitted};
@@ -27,9 +28,9 @@ Scene litBall(double bump, double distance) {
 
 class Shadows : public testing::TestWithParam<double> {};
 
-TEST_P(Shadows, NoFacetShadesItselfOrItsNeighbour) {
+TEST_P(Shadows, NoFacetShadowsItselfOrItsNeighbour) {
   for (const double bump : {0.0, 0.05}) {
-    const Scene scene = litBall(bump, GetParam());
+    const Scene scene = litSphere(bump, GetParam());
     const Image image = render(scene);
     const Reference reference(scene);
     const Image truth = reference.render().image;

@@ -1,4 +1,4 @@
-// Spheres on the device against the reference, by both traversals.
+// Spheres on the device against the reference, by all traversals.
 #include "core/error.h"
 #include "lab/chart/errors.h"
 #include "lab/chart/methods/methods.h"
@@ -17,7 +17,7 @@ Mesh sphere(glm::dvec3 centre, double radius, double albedo) {
   return mesh;
 }
 
-/// Spheres of all sizes in half a bumpy sphere of triangles, seen from among them.
+/// Spheres of all sizes inside half a bumpy sphere of triangles.
 Scene someSpheres(const IntegratorRow& integrator) {
   Scene scene;
   scene.integrator = {&integrator};
@@ -68,7 +68,7 @@ TEST(Spheres, EveryIntegratorEqualsTheReference) {
   }
 }
 
-TEST(Spheres, AloneAndFromInside) {
+TEST(Spheres, WithoutTrianglesAndFromInside) {
   Scene scene;
   scene.meshes = {sphere(glm::dvec3(3.0, -1.0, 2.0), 5.0, 0.3)};
   scene.camera.width = scene.camera.height = 40;
@@ -78,7 +78,7 @@ TEST(Spheres, AloneAndFromInside) {
   expectMatch(scene);
 }
 
-TEST(Spheres, UnderALightFromAfarAtAnyDistance) {
+TEST(Spheres, UnderALightAtAnyDistance) {
   for (const double distance : {3.0, 3e2, 1e5}) {
     SCOPED_TRACE(distance);
     Scene scene;
@@ -109,7 +109,8 @@ Texture picture() {
 
 TEST(Spheres, TexturedTheyEqualTheReferenceAtTheSeamAndThePoles) {
   Scene scene = someSpheres(integrators::directWhitted);
-  // Around the camera, where all of it is seen, and unlit: its normals point outwards.
+  // A sphere around the camera shows all of the texture. It is unlit, since its normals point
+  // outwards.
   scene.meshes.push_back(sphere(glm::dvec3(0.0), 1.5, 0.0));
   scene.meshes.back().bsdf.texture = picture();
   for (std::size_t i = 0; i < scene.meshes.size() - 1; i += 2) {
@@ -134,7 +135,7 @@ TEST(Spheres, TexturedTheyEqualTheReferenceAtTheSeamAndThePoles) {
   }
 }
 
-TEST(Spheres, ScaledByAPowerOfTwoTheyKeepTheirBits) {
+TEST(Spheres, ScalingByAPowerOfTwoKeepsTheBits) {
   Scene scene = someSpheres(integrators::normals);
   const Image image = render(scene);
   const double k = 0x1p12;
@@ -152,8 +153,8 @@ TEST(Spheres, ScaledByAPowerOfTwoTheyKeepTheirBits) {
   EXPECT_EQ(differingFloats(image, render(scene)), 0U);
 }
 
-TEST(Spheres, AChartTellsMismatchesOnThem) {
-  // One all around, so that the smooth inside fills the film.
+TEST(Spheres, AChartCountsMismatchesOnThem) {
+  // A sphere around the camera, whose smooth inside fills the film.
   Scene scene;
   scene.integrator = {&integrators::depth};
   scene.meshes = {sphere(glm::dvec3(0.2, 0.1, 0.0), 2.0, 0.0)};
@@ -175,7 +176,7 @@ TEST(Spheres, EverySampleIsExplained) {
     scene.meshes[3].bsdf.texture = picture();
     const Explanation e = laver::explain(scene, scene, onTestDevice());
     EXPECT_EQ(e.unexplained(), 0U) << describe(e);
-    // It must be able to fail: a sphere that fills a tenth of the film, larger by 1e-4.
+    // Negative control: a sphere that fills a tenth of the film, enlarged by 1e-4.
     Scene larger = scene;
     larger.meshes[0].sphere->radius *= 1.0001;
     EXPECT_GT(laver::explain(scene, larger, onTestDevice()).unexplained(), 20U);

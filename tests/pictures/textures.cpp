@@ -1,4 +1,4 @@
-// Textures and backgrounds on the device against the reference, in both traversals.
+// Textures and backgrounds on the device against the reference, by all traversals.
 #include <limits>
 #include <random>
 
@@ -37,7 +37,7 @@ Texture showing(std::shared_ptr<const Picture> picture) {
   return texture;
 }
 
-/// A lit square with texture coordinates, and a small one before it without a texture.
+/// A lit square with texture coordinates, and a small one without a texture in front of it.
 Scene sheet(const Texture& texture) {
   Scene scene = litSquare();
   scene.meshes[0].uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
@@ -54,8 +54,8 @@ void expectMatch(const Scene& scene, double tolerance) {
   EXPECT_GT(*std::max_element(image.pixels.begin(), image.pixels.end()), 0.01F);
 }
 
-// A place is off by some 2^-21 of the picture's repetition (explain/bounds.cpp), times 8 pixels and
-// two repetitions of a range of 1, under some 4 of radiance / pi: 1e-5.
+// Texture coordinates are off by about 2^-21 of the image's repetition (explain/bounds.cpp). Times
+// 8 pixels, two repetitions, a range of 1 and a radiance / pi of up to 4: 1e-5.
 constexpr double kTolerance = 5e-5;
 
 struct PictureCase {
@@ -63,7 +63,7 @@ struct PictureCase {
   bool floats, raw;
 };
 
-TEST(Textures, PicturesOfBytesAndFloatsAndWhatWrapsAround) {
+TEST(Textures, ImagesOfBytesAndFloatsThatWrapAround) {
   for (const PictureCase& c : {PictureCase{8, 5, false, false},
                                {8, 5, true, false},
                                {1, 4, false, true},
@@ -127,8 +127,8 @@ TEST(Textures, KernelsSpecialisedOrNotGiveTheSameBits) {
   }
 }
 
-TEST(Textures, CoordinatesOfAnySizeReadNothingBeyondThePicture) {
-  // The words behind a picture are another's, a thousand times as bright.
+TEST(Textures, CoordinatesOfAnySizeReadNothingOutsideTheImage) {
+  // The words after an image belong to another one, a thousand times as bright.
   constexpr double kHuge = std::numeric_limits<double>::max();
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   for (const double size : {1e9, 1e38, kHuge, kNan}) {
@@ -164,7 +164,7 @@ TEST(Backgrounds, AConstant) {
                 1e-6);  // filters
 }
 
-TEST(Backgrounds, PicturesAtTheSeamThePolesAndTurned) {
+TEST(Backgrounds, ImagesAtTheSeamAndThePolesAndRotated) {
   int number = 0;
   for (const dvec3 forward :
        {dvec3(0, 0, -1), dvec3(0, 1, 0), dvec3(0, -1, 0), glm::normalize(dvec3(1, 2, -3))}) {
@@ -172,7 +172,7 @@ TEST(Backgrounds, PicturesAtTheSeamThePolesAndTurned) {
     SCOPED_TRACE(testing::Message() << "case " << number);
     Scene scene = skyAlone(forward);
     scene.environment->image = noise(16, 8, floats);
-    // Far beyond the range of a float's square, turned, mirrored and moved.
+    // Far beyond the range of a float's square; rotated, mirrored and translated.
     if (turned)
       scene.environment->toWorld =
           glm::dmat4(0, 5e20, 0, 0, 3e20, 0, 4e20, 0, -4e20, 0, 3e20, 0, 1, 2, 3, 1);
@@ -197,7 +197,7 @@ TEST(Backgrounds, EverySampleOfTexturesAndBackgroundIsExplained) {
   scene.environment->image = noise(64, 32, true);
   const laver::Explanation whole = laver::explain(scene, scene, onTestDevice());
   EXPECT_EQ(whole.unexplained(), 0U) << describe(whole);
-  // It must be able to fail: a tenth of a pixel's shift, and a sky turned by as much.
+  // Negative control: a shift by a tenth of a pixel, and a background rotated by as much.
   Scene shifted = scene;
   shifted.meshes[0].bsdf.texture->offset.x += 0.1 / 64;
   EXPECT_GT(laver::explain(scene, shifted, onTestDevice()).unexplained(), 100U);
@@ -208,7 +208,7 @@ TEST(Backgrounds, EverySampleOfTexturesAndBackgroundIsExplained) {
   EXPECT_GT(laver::explain(scene, shifted, onTestDevice()).unexplained(), 100U);
 }
 
-TEST(TextureData, PicturesArePackedOnceAndBytesStayBytes) {
+TEST(TextureData, ImagesArePackedOnceAndBytesStayBytes) {
   Scene scene = sheet(showing(noise(8, 8, false)));
   scene.meshes[1].bsdf.texture = scene.meshes[0].bsdf.texture;
   const Packed data = pack(scene, {}, uploadsOf(scene, {}));
@@ -218,11 +218,11 @@ TEST(TextureData, PicturesArePackedOnceAndBytesStayBytes) {
   EXPECT_TRUE(data.materials.empty());
 }
 
-TEST(TextureData, WhatIsNotShownIsNotUploaded) {
+TEST(TextureData, UnusedImagesAreNotUploaded) {
   Scene scene = sheet(showing(noise(8, 8, false)));
   scene.environment = Environment();
   scene.environment->image = noise(8, 4, true);
-  using Sizes = std::pair<std::size_t, std::size_t>;  // words of pictures, texture coordinates
+  using Sizes = std::pair<std::size_t, std::size_t>;  // words of images, texture coordinates
   const auto packed = [&] {
     const Packed data = pack(scene, {}, uploadsOf(scene, {}));
     return Sizes(data.images.size(), data.uvs.size());

@@ -1,4 +1,4 @@
-// What the Khronos validation layer says of laver's use of Vulkan: nothing.
+// The Khronos validation layer finds no error in laver's use of Vulkan.
 #include "pictures/harness.h"
 
 namespace laver::test {
@@ -12,7 +12,7 @@ VulkanOptions validated(const std::string& traversal) {
 
 class ValidatedScene : public testing::TestWithParam<std::string> {};
 
-TEST_P(ValidatedScene, HasNoFaultByAnyTraversalWithAndWithoutLayers) {
+TEST_P(ValidatedScene, IsValidByEveryTraversalWithAndWithoutLayers) {
   const Scene scene = smallScene(GetParam(), 20, 2);
   for (const std::string& traversal : traversals()) {
     EXPECT_NO_THROW(render(scene, validated(traversal))) << traversal;

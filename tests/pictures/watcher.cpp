@@ -1,4 +1,4 @@
-// The picture as somebody watches it grow, in the process and over a socket.
+// A render in progress as an observer sees it, in the process and over a socket.
 #include <future>
 #include <limits>
 
@@ -11,7 +11,7 @@
 namespace laver::test {
 namespace {
 
-/// Keeps the rows that it is shown, whenever they change.
+/// Keeps the rows that it receives.
 struct Seen : Observer {
   Image picture;
   int calls = 0;
@@ -28,10 +28,10 @@ struct Seen : Observer {
   RenderOptions options() { return {.observers = {this}}; }
 };
 
-TEST(Watcher, SeesEveryPassAndInTheEndThePicture) {
+TEST(Watcher, SeesEveryPassAndFinallyThePicture) {
   const Scene scene = smallScene("cornell-two-lights.xml", 64, 32);
   VulkanOptions vulkan = onTestDevice();
-  vulkan.samplesInFlight = 10240;  // bands of some rows, eight samples a pass
+  vulkan.samplesInFlight = 10240;  // bands of some rows, eight samples per pass
   Stats stats;
   Seen seen;
   const Image image = Renderer(vulkan).render(scene, seen.options(), stats).image;
@@ -51,13 +51,13 @@ TEST(Watcher, SeesTheFirstPictureOnlyAndACropFromItsTop) {
   Stats stats;
   Renderer(onTestDevice()).render(scene, options, stats);
   EXPECT_EQ(seen.calls, 1);
-  RenderOptions alone;
-  alone.crop = options.crop;
-  EXPECT_EQ(differingFloats(seen.picture, render(scene, onTestDevice(), alone)), 0U);
+  RenderOptions cropOnly;
+  cropOnly.crop = options.crop;
+  EXPECT_EQ(differingFloats(seen.picture, render(scene, onTestDevice(), cropOnly)), 0U);
 }
 
 TEST(Watcher, SeesAReferenceRender) {
-  // The reference takes 2^18 samples at once: 64 a pixel of 64 x 64.
+  // The reference takes 2^18 samples at once: 64 per pixel of 64 x 64.
   const Scene scene = smallScene("cornell-two-lights.xml", 64, 192);
   Seen seen;
   RenderOptions options = seen.options();
@@ -67,7 +67,7 @@ TEST(Watcher, SeesAReferenceRender) {
   EXPECT_EQ(differingFloats(seen.picture, Reference(scene).render().image), 0U);
 }
 
-TEST(Watcher, SeesWhatAStoppedRenderLeaves) {
+TEST(Watcher, SeesTheRestOfAStoppedRender) {
   const Scene scene = smallScene("cornell-two-lights.xml", 64, 32);
   VulkanOptions vulkan = onTestDevice();
   vulkan.samplesInFlight = 5120;
@@ -113,7 +113,7 @@ TEST_F(CommandLine, AViewerGetsThePictureBitForBit) {
   }
 }
 
-TEST_F(CommandLine, AViewerThatIsNotThereIsAWarning) {
+TEST_F(CommandLine, AMissingViewerIsAWarning) {
   write("a.obj", "v -1 -1 2\nv 1 -1 3\nv 0 1 5\nf 1 2 3\n");
   write("a.xml", kScene);
   const std::string port = Listener().port();

@@ -1,5 +1,5 @@
-// A flat plane lit at grazing angles shades no point of itself, whatever its size and place, from
-// near and far, with the light near and far.
+// A flat plane lit at grazing angles does not shadow itself, for any size, position, and distance
+// of camera and light.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,13 +23,13 @@ struct Setting {
   int cells = 8;
 };
 
-/// Points of the plane that a camera ray met, and where shadow rays end.
+/// Points where camera rays hit the plane, and the origins of their shadow rays.
 struct Lit {
   std::vector<glm::vec3> points;
   std::vector<std::uint32_t> ids;
 };
 
-/// Cells of a tilted plane, of half-width `scale`, and a frame to place things by.
+/// Cells of a tilted plane of half-width `scale`, and a frame for placing camera and light.
 struct Plane {
   explicit Plane(const Setting& s) : setting(s) {
     normal = glm::normalize(dvec3(0.3, -0.5, 0.8));
@@ -46,14 +46,14 @@ struct Plane {
   Scene scene;
 };
 
-constexpr std::size_t kFew = 12288;                   // targets of the naive way
+constexpr std::size_t kFew = 12288;                   // targets of the naive method
 constexpr double kElevations[] = {0.3, 0.03, 0.003};  // radians of the light over the plane
 dvec3 lightOf(const Plane& plane, double elevation) {
   const double d = plane.setting.light;
   return plane.at(d * std::cos(elevation), 0.0, d * std::sin(elevation));
 }
 
-/// Rays from a camera to points of the plane, its border left out.
+/// Targets of camera rays on the plane, away from its border.
 std::vector<glm::dvec2> targets(std::uint64_t count) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> place(-0.99, 0.99);
@@ -62,7 +62,7 @@ std::vector<glm::dvec2> targets(std::uint64_t count) {
   return all;
 }
 
-/// False shadows by Nori's way: floats as the scene has them, mint 1e-4.
+/// False shadows with Nori's method: the scene's coordinates as floats, mint 1e-4.
 std::uint64_t naiveShadows(const Plane& plane, const std::vector<glm::dvec2>& where,
                            Bitmap* picture) {
   const auto triangles = listedTriangles(plane.scene.meshes[0]);
@@ -80,16 +80,17 @@ std::uint64_t naiveShadows(const Plane& plane, const std::vector<glm::dvec2>& wh
     if (hit.id == shared::NO_HIT) continue;
     const auto& t = triangles[hit.id];
     const glm::vec3 p = t.a * (1 - hit.u - hit.v) + t.b * hit.u + t.c * hit.v;
-    const glm::vec3 way = glm::vec3(lightOf(plane, kElevations[i % 3])) - p;
-    const float length = glm::length(way);
-    const bool blocked = nearest(p, way / length, 1e-4F, length * (1 - 1e-4F)).id != shared::NO_HIT;
+    const glm::vec3 direction = glm::vec3(lightOf(plane, kElevations[i % 3])) - p;
+    const float length = glm::length(direction);
+    const bool blocked =
+        nearest(p, direction / length, 1e-4F, length * (1 - 1e-4F)).id != shared::NO_HIT;
     count += blocked ? 1 : 0;
     if (picture != nullptr && !blocked) picture->pixels[i] = {255, 255, 255};
   }
   return count;
 }
 
-/// Ours: for each target, whether it sees the light; the scene as the renderer packs it.
+/// Ours: for each target, whether it is lit, with the scene as the renderer packs it.
 std::vector<std::uint32_t> sightOf(const Plane& plane, const Packed& data, Subject& subject,
                                    const std::vector<glm::dvec2>& where, double elevation) {
   const glm::vec3 eye(data.space.apply(plane.at(0.1, -0.2, plane.setting.camera)));
@@ -111,7 +112,7 @@ LAVER_STABILITY(Acne, "A flat plane lit at grazing angles") {
   std::vector<Setting> settings;
   for (const double scale : {1e-3, 1.0, 1e3, 1e6})
     for (const double light : {1.0, 1e2, 1e4}) settings.push_back({scale, 0.0, 3.0, light});
-  // Triangles as large as the scene round the most.
+  // Triangles as large as the scene have the largest rounding errors.
   for (const double light : {1.0, 1e2, 1e4}) settings.push_back({1.0, 0.0, 3.0, light, 1});
   settings.push_back({1.0, 1e3, 3.0, 10.0});
   settings.push_back({1.0, 0.0, 1e3, 10.0});
@@ -151,7 +152,7 @@ LAVER_STABILITY(Acne, "A flat plane lit at grazing angles") {
                 0.0, "false shadows", sum.seconds});
   }
 
-  // The picture: a plane of size 1,000 from 3,000 away, light 1,000 off.
+  // The plane of the picture has size 1,000, the camera is 3,000 away, the light 1,000.
   Bitmap before(96, 96, {}), after(96, 96, {});
   std::vector<glm::dvec2> grid;
   for (int y = 0; y < 96; ++y)

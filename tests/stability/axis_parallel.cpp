@@ -1,5 +1,5 @@
-// Rays along an axis, in the planes of the tree's boxes, from points on faces and vertices: in a
-// closed cube of axis-parallel facets every one must meet a wall.
+// Rays along an axis, in the planes of the tree's boxes, from points on faces and vertices. In a
+// closed cube of axis-parallel facets each of them must hit a wall.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -44,8 +44,8 @@ ClosedMesh cube() {
   return closedMesh(std::move(positions), std::move(triangles));
 }
 
-/// A point of the cube, walls included, with coordinates on the facets' grid or between, and the
-/// directions along an axis with zeros of all signs.
+/// A point in or on the cube, with coordinates on the facets' grid or between; directions along an
+/// axis have zeros of both signs.
 glm::vec3 gridPoint(std::mt19937& random) {
   glm::vec3 p;
   for (int a = 0; a < 3; ++a) {
@@ -72,7 +72,8 @@ LAVER_STABILITY(AxisParallel, "Axis-parallel rays, origin on a face, through the
   for (std::size_t i = 0; i < rays.size(); ++i) {
     if (i % 64 == 0) origin = gridPoint(random);
     rays[i] = rayOf(origin, axisDirection(random));
-    const bool met = naive::meets(tight, rays[i].origin, rays[i].direction, naive::Method::Slabs);
+    const bool met =
+        naive::intersects(tight, rays[i].origin, rays[i].direction, naive::Method::Slabs);
     naiveMisses += met ? 0 : 1;
   }
   for (const auto& subject : subjects(mesh.bvh)) {

@@ -1,4 +1,4 @@
-// Rays that meet a box exactly must meet it in float: at its edges, in its faces, with components
+// Rays that hit a box exactly must hit it in float: at its edges, in its faces, with components
 // that are tiny or zero of either sign, far from the origin.
 #include <gtest/gtest.h>
 
@@ -17,12 +17,12 @@ namespace {
 
 using glm::vec3;
 
-/// A node's box as it is, and as the builder grew it.
+/// A node's tight box, and the box that the builder grew from it.
 struct TreeBox {
   Box tight, grown;
 };
 
-/// The boxes of the builder's tree over small triangles, a third of them flat in an axis.
+/// The boxes of the builder's tree over small triangles, a third of them flat in one axis.
 std::vector<TreeBox> treeBoxes(float offset) {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> place(-1.0F, 1.0F), side(-0.05F, 0.05F);
@@ -70,7 +70,7 @@ TestRay rayAt(const Box& box, Kind kind, float offset, std::mt19937& random) {
     ray.direction = target - ray.origin;
     return ray;
   }
-  // One or two axes along which the ray hardly moves, from inside the slab or from its face.
+  // One or two axes along which the ray hardly moves, starting inside the slab or on its face.
   const int still = static_cast<int>(random() % 3), also = static_cast<int>(random() % 3);
   for (const int a : {still, also}) ray.origin[a] = target[a];
   ray.direction = target - ray.origin;
@@ -92,21 +92,21 @@ LAVER_STABILITY(Boxes, "Slabs: box edges, faces, tiny components, signed zeros, 
     for (const Kind kind : {Kind::Edges, Kind::InAFace, Kind::TinyComponent, Kind::ZeroComponent}) {
       for (const Twin* twin : twins()) {
         std::atomic<std::uint64_t> hits = 0, naiveMisses = 0, misses = 0;
-        forBatches(amount(full, 1ULL << 18, 1ULL << 23), 1ULL << 14, 0,
-                   [&](std::uint64_t, std::mt19937& random) {
-                     for (int i = 0; i < 1 << 14; ++i) {
-                       const TreeBox& box = boxes[random() % boxes.size()];
-                       const TestRay ray = rayAt(box.tight, kind, offset, random);
-                       if (ray.direction == vec3(0.0F) ||
-                           !exact::meets(ray.origin, ray.direction, box.tight.lo, box.tight.hi))
-                         continue;
-                       ++hits;
-                       if (!naive::slabs(ray.origin, ray.direction, box.tight.lo, box.tight.hi))
-                         ++naiveMisses;
-                       if (!twin->box(ray.origin, ray.direction, box.grown.lo, box.grown.hi))
-                         ++misses;
-                     }
-                   });
+        forBatches(
+            amount(full, 1ULL << 18, 1ULL << 23), 1ULL << 14, 0,
+            [&](std::uint64_t, std::mt19937& random) {
+              for (int i = 0; i < 1 << 14; ++i) {
+                const TreeBox& box = boxes[random() % boxes.size()];
+                const TestRay ray = rayAt(box.tight, kind, offset, random);
+                if (ray.direction == vec3(0.0F) ||
+                    !exact::intersects(ray.origin, ray.direction, box.tight.lo, box.tight.hi))
+                  continue;
+                ++hits;
+                if (!naive::slabs(ray.origin, ray.direction, box.tight.lo, box.tight.hi))
+                  ++naiveMisses;
+                if (!twin->box(ray.origin, ray.direction, box.grown.lo, box.grown.hi)) ++misses;
+              }
+            });
         record.add(
             {std::string(kNames[static_cast<int>(kind)]) + (offset == 0.0F ? "" : ", offset 1e6"),
              twin->name, hits, static_cast<double>(naiveMisses), static_cast<double>(misses), 0.0,

@@ -1,4 +1,4 @@
-// The smallest gap under an occluder that still casts its shadow.
+// The smallest gap below an occluder that still casts its shadow.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -17,8 +17,8 @@ namespace {
 
 using glm::dvec3;
 
-/// A floor and, over its middle, a plate at height `gap`, turned by a frame; and a box corner on
-/// either side that keeps the scene's extent, so that the floor lies at `level` of its half-width.
+/// A floor with a plate over its middle at height `gap`, rotated by a frame. Two box corners fix
+/// the scene's extent, so that the floor lies at `level` of its half-width.
 struct Contact {
   Contact(double theScale, double level, bool tilted, double gap) : scale(theScale) {
     normal = tilted ? glm::normalize(dvec3(0.3, -0.5, 0.8)) : dvec3(0, 0, 1);
@@ -43,7 +43,7 @@ struct Contact {
 };
 
 constexpr int kPoints = 256;
-/// Floor points under the plate, seen from below the plate's border.
+/// Floor points under the plate, visible from below its border.
 glm::dvec2 floorPoint(int i) {
   const int column = i % 16, row = i / 16;
   return {0.2 * (column / 7.5 - 1.0) + 1e-3, 0.2 * (row / 7.5 - 1.0) + 2e-3};
@@ -55,39 +55,39 @@ bool naiveSees(const Contact& c, double light) {
   triangles.insert(triangles.end(), plate.begin(), plate.end());
   for (int i = 0; i < kPoints; ++i) {
     const glm::vec3 p(c.at(floorPoint(i).x, floorPoint(i).y, 0.0));
-    const glm::vec3 way = glm::vec3(c.at(0.0, 0.0, light)) - p;
-    const float length = glm::length(way);
+    const glm::vec3 direction = glm::vec3(c.at(0.0, 0.0, light)) - p;
+    const float length = glm::length(direction);
     TestHit hit{};
     if (std::none_of(triangles.begin(), triangles.end(), [&](const auto& t) {
-          return naive::moellerTrumbore(p, way / length, t, 1e-4F, length * (1 - 1e-4F), hit);
+          return naive::moellerTrumbore(p, direction / length, t, 1e-4F, length * (1 - 1e-4F), hit);
         }))
       return false;
   }
   return true;
 }
 
-/// The floor's points by camera rays that start right above them, below the plate.
+/// Floor points found by camera rays that start right above them, below the plate.
 bool seesAll(Subject& subject, const Contact& c, const Packed& data, double light) {
-  const glm::vec3 lamp(data.space.apply(c.at(0.0, 0.0, light)));
+  const glm::vec3 lightPosition(data.space.apply(c.at(0.0, 0.0, light)));
   std::vector<glm::vec3> points;
   for (const shared::Triangle& t : data.bvh.triangles) {
-    if (t.id >= 32) continue;  // the floor's come first
+    if (t.id >= 32) continue;  // the floor's triangles come first
     for (int i = 0; i < kPoints; ++i) {
       const glm::dvec2 w = floorPoint(i);
       const glm::vec3 eye(data.space.apply(c.at(w.x + 0.3, w.y - 0.2, -0.7)));
       const auto ray = rayOf(eye, glm::vec3(data.space.apply(c.at(w.x, w.y, 0.0)) - dvec3(eye)));
       if (twins()[1]->inside(ray.origin, ray.direction, t))
-        points.push_back(shadowPoint(subject, data.bvh, ray, t.id, lamp));
+        points.push_back(shadowPoint(subject, data.bvh, ray, t.id, lightPosition));
     }
   }
   EXPECT_GE(points.size(), static_cast<std::size_t>(kPoints));
-  const auto seen = subject.visible(lamp, points);
+  const auto seen = subject.visible(lightPosition, points);
   return std::count(seen.begin(), seen.end(), 0U) == static_cast<std::ptrdiff_t>(seen.size());
 }
 
 LAVER_STABILITY(Contact, "The smallest contact gap that still casts a shadow") {
-  // Largest first: the sweep ends where some point under the plate sees the light.
-  // By halves, then by 2^-24 of the half-width, an ulp at 0.9 of it.
+  // The sweep starts with the largest gap and ends where a point under the plate is lit: halving
+  // steps, then steps of 2^-24 of the half-width, an ulp at 0.9 of it.
   std::vector<double> gaps;
   for (double gap = 0.2; gap > 2e-6; gap *= 0.5) gaps.push_back(gap);
   for (int ulps = 16; ulps > 0; --ulps) gaps.push_back(ulps * 0x1p-24);
@@ -103,7 +103,7 @@ LAVER_STABILITY(Contact, "The smallest contact gap that still casts a shadow") {
     for (const auto& [scale, light] :
          {std::pair(1e-3, 1.0), std::pair(1.0, 1.0), std::pair(1e3, 1.0), std::pair(1.0, 1e2),
           std::pair(1.0, 1e4)}) {
-      // At 1e3 Nori's mint is small enough, and its plane shades itself (Acne).
+      // At 1e3 Nori's mint is small enough, but then its plane shadows itself (Acne).
       double naiveGap = 1.0;
       std::map<std::string, double> smallest;
       std::vector<std::string> order;

@@ -1,4 +1,4 @@
-// Rays aimed at the edges and vertices of closed meshes from inside: every one must meet the mesh.
+// Rays from inside closed meshes, aimed at edges and vertices. Each of them must hit the mesh.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,12 +36,12 @@ std::uint64_t missesOf(const Bvh& bvh, naive::Method method, const std::vector<T
   std::atomic<std::uint64_t> count = 0;
   parallelFor(rays.size(), kBatch, 0, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      count += naive::meets(bvh, rays[i].origin, rays[i].direction, method) ? 0 : 1;
+      count += naive::intersects(bvh, rays[i].origin, rays[i].direction, method) ? 0 : 1;
   });
   return count;
 }
 
-/// Each dot is a ray: white where it was stopped, black where lost.
+/// Each dot is a ray: white if it hit, black if it was lost.
 void addPicture(Record& record, const ClosedMesh& mesh, const Bvh& listed, Subject& subject) {
   constexpr int kSide = 96;
   Bitmap before(kSide, kSide, {}), after(kSide, kSide, {});
@@ -49,7 +49,8 @@ void addPicture(Record& record, const ClosedMesh& mesh, const Bvh& listed, Subje
   rays.resize(before.pixels.size());
   const auto hits = subject.closest(rays);
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    if (naive::meets(listed, rays[i].origin, rays[i].direction, naive::Method::MoellerTrumbore))
+    if (naive::intersects(listed, rays[i].origin, rays[i].direction,
+                          naive::Method::MoellerTrumbore))
       before.pixels[i] = {255, 255, 255};
     if (hits[i].id != shared::NO_HIT) after.pixels[i] = {255, 255, 255};
   }

@@ -23,7 +23,7 @@ double length(const Vec& v) { return std::sqrt(static_cast<double>(dot(v, v))); 
 
 }  // namespace
 
-bool meets(glm::vec3 origin, glm::vec3 direction, glm::vec3 lo, glm::vec3 hi) {
+bool intersects(glm::vec3 origin, glm::vec3 direction, glm::vec3 lo, glm::vec3 hi) {
   // Bounds of t as fractions with a positive denominator.
   Quad near = 0, nearOver = 1, far = 1, farOver = 0;
   for (int a = 0; a < 3; ++a) {

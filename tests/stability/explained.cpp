@@ -1,5 +1,5 @@
-// Every scene in scenes/ against the double reference, sample by sample; and a vertex moved by 64
-// ulp, to show that the explanation can fail.
+// Every scene in scenes/ against the double-precision reference, sample by sample. As a negative
+// control, one vertex is moved by 64 ulp.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -14,9 +14,10 @@
 namespace laver::test {
 namespace {
 
-/// Flat facets, and of the primitive that most samples meet, a corner moved along its normal by 64
-/// ulp of a coordinate of 1 in normalised space, or a sphere's centre by 512: it has no edges that
-/// turn its normal. Fewer ulp, such as 16, are within the bounds of large triangles.
+/// The scene with flat facets, and the same with one change to the primitive that most samples hit:
+/// a corner moved along its normal by 64 ulp of a coordinate of 1 in normalised space. A sphere's
+/// centre is moved by 512 ulp, since spheres have no edges that would tilt their normal. Fewer ulp,
+/// such as 16, are within the bounds of large triangles.
 struct Mutation {
   Scene flat, moved;
 };
@@ -65,7 +66,7 @@ LAVER_STABILITY(Explained, "Every scene against the double reference") {
     record.add({name + ", naive: geometry moved", "renderer", e.samples,
                 static_cast<double>(wrong.unexplained()), static_cast<double>(e.unexplained()), 0.0,
                 "unexplained"});
-    // One sample in 10,000; a small film may have one or two all the same.
+    // At most one sample in 10,000, but a small film may have one or two.
     const auto explained = e.hits.explained + e.occlusion.explained;
     record.add({name, "renderer", e.samples, std::nullopt, static_cast<double>(explained),
                 std::max(2.0, 1e-4 * static_cast<double>(e.samples)), "explained"});

@@ -1,5 +1,5 @@
-// Reconstruction filters: a flat field stays flat, a step keeps its place, negative lobes are
-// weighted out, against the same sums in double.
+// Reconstruction filters against the same sums in double: a flat field stays flat, a step keeps its
+// position, and negative lobes are normalised.
 #include <gtest/gtest.h>
 
 #include "pictures/harness.h"
@@ -11,7 +11,7 @@
 namespace laver::test {
 namespace {
 
-/// A square that faces the camera; the film sees it whole where `flat`, else its slanted edge.
+/// A square that faces the camera; the film shows its inside if `flat`, else its slanted edge.
 Scene square(Filter filter, bool flat) {
   Scene scene;
   scene.meshes = {gridMesh(1, [&](double x, double y) {
@@ -27,17 +27,17 @@ Scene square(Filter filter, bool flat) {
 constexpr std::uint64_t kSamples = 16384;  // 4 for each of 64x64 pixels
 
 double furthest(const Image& a, const Image& b) {
-  double most = 0;
+  double largest = 0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i)
-    most = std::max(most,
-                    std::abs(static_cast<double>(a.pixels[i]) - static_cast<double>(b.pixels[i])));
-  return most;
+    largest = std::max(
+        largest, std::abs(static_cast<double>(a.pixels[i]) - static_cast<double>(b.pixels[i])));
+  return largest;
 }
 
-/// How far a flat field is from 1 where sums are not divided by the weights that fell, but by
-/// those expected: 4 samples a pixel, tent of radius 1, whose weights have the mean 1.
+/// How far a flat field is from 1 if sums are divided by the expected weights instead of the actual
+/// ones: 4 samples per pixel, tent of radius 1, whose weights have the mean 1.
 double unnormalised(const Reference& reference) {
-  double most = 0;
+  double largest = 0;
   for (int y = 1; y < 63; ++y)
     for (int x = 1; x < 63; ++x) {
       double sum = 0;
@@ -48,9 +48,9 @@ double unnormalised(const Reference& reference) {
                 glm::abs(glm::dvec2(reference.samplePosition(px, py, s)) - glm::dvec2(x, y) - 0.5);
             sum += std::max(0.0, 1 - d.x) * std::max(0.0, 1 - d.y);
           }
-      most = std::max(most, std::abs(sum / 4 - 1));
+      largest = std::max(largest, std::abs(sum / 4 - 1));
     }
-  return most;
+  return largest;
 }
 
 LAVER_STABILITY(Filters, "Filters: flat field, step, negative lobes") {

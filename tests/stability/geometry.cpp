@@ -1,5 +1,5 @@
-// What laver does with bad geometry, and what it says. tests/unit/obj_*.cpp and scene_*.cpp hold
-// each message by itself; here are the kinds of stability.md's case, through the whole program.
+// Handling of bad geometry, and the messages. tests/unit/obj_*.cpp and scene_*.cpp test each
+// message; these cases go through the whole program.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -72,7 +72,7 @@ LAVER_STABILITY(Geometry, "Bad geometry: stated behaviour, with the message") {
     Stats stats;
     const Image image = Renderer(vulkan).render(scene, {}, stats).image;
     EXPECT_EQ(stats.droppedSamples, 0U) << bad.name;
-    // |n| is a unit vector wherever there is the square; here it faces the camera.
+    // n| is a unit vector wherever the square is; here it faces the camera.
     const bool right = std::abs(image.at(32, 20, 2) - 1.0F) < 1e-6F &&
                        std::all_of(image.pixels.begin(), image.pixels.end(),
                                    [](float v) { return std::isfinite(v); });

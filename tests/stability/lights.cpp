@@ -1,5 +1,5 @@
-// A point light at any height over a surface, on it and behind it: every sample is finite and as
-// close to the truth as the rounding of the surface's points allows.
+// A point light at any height above, on and below a surface: every sample is finite and as close to
+// the truth as the rounding of the surface's points allows.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -16,14 +16,14 @@
 namespace laver::test {
 namespace {
 
-/// A floor of half-width 1 under a light at `height`, seen from 2 above in a film that spans some
-/// heights, one sample a pixel.
+/// A floor of half-width 1 under a light at `height`, seen from 2 above by a film that spans some
+/// heights, with one sample per pixel.
 Scene floorUnder(double height) {
   Scene scene;
   scene.integrator = {&integrators::directWhitted};
   scene.meshes = {gridMesh(4, [](double x, double y) { return glm::dvec3(x, y, 0.0); })};
   scene.camera.width = scene.camera.height = 64;
-  // Looks along -z from a little aside.
+  // Looks along -z, slightly off the light's axis.
   scene.camera.toWorld = glm::dmat4(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0.1, 0.05, 2, 1);
   const double span = std::clamp(8.0 * std::abs(height), 1e-6, 0.9);
   scene.camera.toWorld[3] = glm::dvec4(0.1 * span, 0.05 * span, 2.0, 1.0);
@@ -33,7 +33,7 @@ Scene floorUnder(double height) {
   return scene;
 }
 
-/// As a renderer without guards has it: cos / d^2 in float, at the truth's points.
+/// A renderer without guards: cos / d^2 in float at the exact points.
 std::uint64_t naiveNotFinite(const Scene& scene, const Reference& reference) {
   std::uint64_t count = 0;
   for (int y = 0; y < scene.camera.height; ++y)
@@ -45,9 +45,9 @@ std::uint64_t naiveNotFinite(const Scene& scene, const Reference& reference) {
       const auto u = static_cast<float>(hit->u), v = static_cast<float>(hit->v);
       const glm::vec3 p = glm::vec3(mesh.positions[t.x]) * (1 - u - v) +
                           glm::vec3(mesh.positions[t.y]) * u + glm::vec3(mesh.positions[t.z]) * v;
-      const glm::vec3 way = glm::vec3(scene.lights[0].position) - glm::vec3(0, 0, p.z);
-      const float squared = glm::dot(way, way);
-      count += std::isfinite(way.z / std::sqrt(squared) / squared) ? 0 : 1;
+      const glm::vec3 direction = glm::vec3(scene.lights[0].position) - glm::vec3(0, 0, p.z);
+      const float squared = glm::dot(direction, direction);
+      count += std::isfinite(direction.z / std::sqrt(squared) / squared) ? 0 : 1;
     }
   return count;
 }
@@ -67,7 +67,7 @@ LAVER_STABILITY(Lights, "A light at height 1 to 0, on and behind the surface") {
       Stats stats;
       const Image image = Renderer(vulkan).render(scene, {}, stats).image;
       const Reference reference(scene);
-      // The floor is seen head-on, its corners at most sqrt(6) away.
+      // The camera looks at the floor at a right angle; its corners are at most sqrt(6) away.
       const double deltaP = Rounding(scene).sideways(glm::dvec2(32.0), 2.0, std::sqrt(6.0));
       notFinite += stats.droppedSamples;
       naive += naiveNotFinite(scene, reference);
@@ -84,7 +84,7 @@ LAVER_STABILITY(Lights, "A light at height 1 to 0, on and behind the surface") {
             continue;
           }
           const double bound = 4.0 * deltaP / height;
-          if (bound > 0.25) continue;  // the surface's points are not that well known
+          if (bound > 0.25) continue;  // rounding of the surface's points dominates
           const double truth = reference.radiance(glm::dvec2(reference.samplePosition(x, y, 0))).x;
           const double error = std::abs(value - truth) / truth;
           ++lit;

@@ -1,4 +1,5 @@
-// What does not fit a device is split, or refused by the name of the limit and both numbers.
+// Renders that do not fit a device are split, or refused with the name of the limit and both
+// numbers.
 #include <gtest/gtest.h>
 
 #include "pictures/harness.h"
@@ -28,7 +29,7 @@ LAVER_STABILITY(Limits, "Buffer limits") {
             limits.maxStorageBufferRange = range;
             limits.maxTexelBufferElements = texels;
             ++plans;
-            // All samples of the film in one buffer.
+            // Naive: all samples of the film in one buffer.
             const double all = 100.0 * width * samples * kSampleBytes;
             naive += all > range ? 1 : 0;
             try {

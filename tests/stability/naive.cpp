@@ -51,7 +51,7 @@ bool slabs(vec3 origin, vec3 direction, vec3 lo, vec3 hi) {
   return near <= far;
 }
 
-bool meets(const Bvh& bvh, vec3 origin, vec3 direction, Method method) {
+bool intersects(const Bvh& bvh, vec3 origin, vec3 direction, Method method) {
   const auto ray = shared::boxRayOf(origin, direction, shared::shearOf(direction).axis);
   return walk(
       bvh, octantOf(direction),

@@ -4,7 +4,7 @@
 #include "bvh/bvh.h"
 #include "stability/twin/twin.h"
 
-/// The usual methods, written plainly as most renderers have them: what the suite shows to fail.
+/// The common methods, as most renderers implement them. The suite shows that they fail.
 namespace laver::test::naive {
 
 /// Moeller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997, in float with
@@ -12,16 +12,16 @@ namespace laver::test::naive {
 bool moellerTrumbore(glm::vec3 origin, glm::vec3 direction, const shared::Triangle& triangle,
                      float mint, float maxt, TestHit& hit);
 
-/// Woop, Benthin and Wald's edge functions with one of two products fused, as a compiler that
-/// contracts leaves them.
+/// Woop, Benthin and Wald's edge functions with one of the two products fused, as a contracting
+/// compiler generates them.
 bool woopContracted(glm::vec3 origin, glm::vec3 direction, const shared::Triangle& triangle);
 
-/// Slabs by (b - o) * (1 / d) with minimum and maximum.
+/// The slab test as (b - o) * (1 / d) with min and max.
 bool slabs(glm::vec3 origin, glm::vec3 direction, glm::vec3 lo, glm::vec3 hi);
 
-/// Whether any triangle is met, by moellerTrumbore() or woopContracted() in our boxes, or by
-/// moellerTrumbore() in slabs().
+/// Whether any triangle is hit, by moellerTrumbore() or woopContracted() with laver's boxes, or by
+/// moellerTrumbore() with slabs().
 enum class Method { MoellerTrumbore, WoopContracted, Slabs };
-bool meets(const Bvh& bvh, glm::vec3 origin, glm::vec3 direction, Method method);
+bool intersects(const Bvh& bvh, glm::vec3 origin, glm::vec3 direction, Method method);
 
 }  // namespace laver::test::naive

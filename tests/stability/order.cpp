@@ -1,6 +1,6 @@
-// Which of coincident triangles a ray meets, and every bit of the hit, depend on nothing but the
-// scene: not on the tree, its nodes' width, the order of children, or the traversal. Threads,
-// tiles and passes are render/same_bits.cpp's.
+// Which of coincident triangles a ray hits, and every bit of the hit, depend only on the scene: not
+// on the tree, the width of its nodes, the order of children, or the traversal. Threads, tiles and
+// passes are tested in pictures/same_bits.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,8 +19,8 @@
 namespace laver::test {
 namespace {
 
-/// A wavy sheet twice over, the copy's triangles listing their corners from another one on: as
-/// listed, for the naive method, and sorted, as the packing has it. Ids are file order.
+/// Two copies of a wavy sheet; the triangles of the second list their corners rotated by one.
+/// `listed` has them as listed, for the naive method, `sorted` as packed. Ids follow file order.
 struct Sheets {
   Sheets() {
     const Mesh sheet = gridMesh(48, [](double x, double y) {
@@ -42,7 +42,7 @@ std::array<std::uint32_t, 4> bitsOf(const TestHit& hit) {
   return std::bit_cast<std::array<std::uint32_t, 4>>(hit);
 }
 
-/// The first met at the least t wins, as usual.
+/// The first one visited with the smallest t wins, as usual.
 std::uint32_t naiveWinner(const Bvh& bvh, const TestRay& ray) {
   std::uint32_t best = shared::NO_HIT;
   const auto box = shared::boxRayOf(ray.origin, ray.direction, shared::shearOf(ray.direction).axis);
@@ -65,7 +65,7 @@ std::uint32_t naiveWinner(const Bvh& bvh, const TestRay& ray) {
   return best;
 }
 
-/// Floats of pictures made in other ways that differ from those of one render, whole.
+/// Number of floats that differ when one picture is rendered in different tilings.
 std::uint64_t otherBits(const std::string& traversal) {
   const Scene scene = smallScene("curved-normals.xml", 90, 3);
   VulkanOptions vulkan;
@@ -132,14 +132,14 @@ LAVER_STABILITY(Order, "Ties: child order, triangle order, node width, traversal
     for (std::size_t i = 0; i < rays.size(); ++i) naiveDiffer += winners[i] != naiveWanted[i];
     for (const auto& subject : subjects(tree.first)) {
       const auto hits = subject->closest(rays);
-      // Twins round otherwise where they fuse: each is compared with itself on the first tree, the
-      // traversals with one another.
+      // Twins with fused operations round differently: each is compared with itself on the first
+      // tree, the traversals with each other.
       if (subject->twin != nullptr) continue;
       if (wanted.empty()) wanted = hits;
       std::uint64_t differ = 0;
       for (std::size_t i = 0; i < hits.size(); ++i) {
         differ += bitsOf(hits[i]) != bitsOf(wanted[i]) ? 1 : 0;
-        // The first copy owns every tie.
+        // The first copy wins every tie.
         differ += hits[i].id != shared::NO_HIT && hits[i].id >= half ? 1 : 0;
       }
       const bool same = naiveDiffer == 0;

@@ -23,7 +23,7 @@ Bvh withTwoChildren(const Bvh& bvh) {
     std::vector<shared::Child> children;
     for (const shared::Child& child : bvh.nodes[n].child)
       if (child.ref != shared::REF_NONE) children.push_back(child);
-    // The last two into a node of their own, until two are left.
+    // Moves the last two children into a new node, until two are left.
     while (children.size() > 2) {
       const shared::Child a = children.back(), b = children[children.size() - 2];
       children.resize(children.size() - 2);

@@ -4,10 +4,10 @@
 
 namespace laver::test {
 
-/// One HTML page that needs no other file: the table, the tables of bounds, the pictures.
+/// A self-contained HTML page: the table, the tables of bounds, the pictures.
 std::string page(const nlohmann::json& cases);
 
-/// A figure as the tables show it.
+/// A number as text for the tables.
 std::string figure(const nlohmann::json& value);
 
 }  // namespace laver::test

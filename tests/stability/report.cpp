@@ -1,4 +1,4 @@
-// Merges the rows that the cases left into the suite's table: printed, as JSON and as a page.
+// Merges the rows that the cases wrote into the suite's table: printed, as JSON and as a page.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-/// All cases by name; of one that ran in both forms, the full one.
+/// All cases by name; the full form if both exist.
 json readCases(const std::filesystem::path& folder) {
   std::vector<json> cases;
   if (std::filesystem::is_directory(folder))

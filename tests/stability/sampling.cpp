@@ -1,4 +1,4 @@
-// How fast samplers converge at an edge. A sampler that is added gets a row of its own here.
+// How fast samplers converge at an edge. Each new sampler needs a row here.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 namespace laver::test {
 namespace {
 
-/// Half-plane x < 0.2 y of the plane z = 0, seen along z by box filter; |n| is 1 there.
+/// The half-plane x < 0.2 y of the plane z = 0, seen along z with a box filter; |n| is 1 on it.
 constexpr double kSlope = 0.2;
 Scene edge(const SamplerRow* sampler, std::uint32_t samples) {
   Scene scene;
@@ -26,14 +26,14 @@ Scene edge(const SamplerRow* sampler, std::uint32_t samples) {
   return scene;
 }
 
-/// Share of pixel (x, y) that the half-plane covers, by the midpoints of 1,024 rows, each exact.
+/// Share of pixel (x, y) that the half-plane covers, from 1,024 rows, each exact at its midpoint.
 double coverage(const Camera& camera, int x, int y) {
   const double half = 4.0 * std::tan(camera.fov * std::numbers::pi / 360.0);
   const auto world = [&](double film) { return (1.0 - 2.0 * film / camera.width) * half; };
   double sum = 0;
   constexpr int kRows = 1024;
   for (int r = 0; r < kRows; ++r) {
-    // Film x runs against world x, which +x left makes.
+    // Film x and world x have opposite directions, since +x is left in camera space.
     const double border = kSlope * world(y + (r + 0.5) / kRows);
     const double left = world(x), right = world(x + 1);
     sum += std::clamp((border - right) / (left - right), 0.0, 1.0);
@@ -65,16 +65,17 @@ struct Theory {
   const char* text;
   double errorOf16;
 };
-/// Uniform points leave the variance of a coin in all n of them; of n cells of area 1/n an edge
-/// cuts some sqrt(n), and only those err: n^-1/2 n^-1/4. Of 4 x 4 strata this edge cuts some 4.8,
-/// each with a variance of 1/6 / 16^2: 0.056. The nets of Sobol are strata of every shape at once.
+/// Expected slopes. For n uniform points each has the variance of a coin. Of n cells of area 1/n an
+/// edge cuts about sqrt(n), and only those have an error: n^-1/2 n^-1/4. Of 4 x 4 strata this edge
+/// cuts about 4.8, each with a variance of 1/6 / 16^2: 0.056. Sobol's nets are strata of every
+/// shape at once.
 constexpr std::array kTheories = {Theory{&samplers::independent, -0.5, "-1/2", 0.084},
                                   Theory{&samplers::stratified, -0.75, "-3/4", 0.056},
                                   Theory{&samplers::sobol, -0.75, "-3/4", 0.037}};
 
 LAVER_STABILITY(Sampling, "Sampler slopes at an edge") {
   const std::uint32_t few = 16, many = full ? 4096 : 1024;
-  std::optional<double> plain;  // slope of `independent`, the naive method to the others
+  std::optional<double> plain;  // slope of `independent`, the naive method for the others
   for (const Theory& theory : kTheories) {
     const double errorOfFew = edgeError(theory.kind, few);
     const double slope = std::log(edgeError(theory.kind, many) / errorOfFew) / std::log(many / few);

@@ -1,5 +1,5 @@
-// Scenes of any size give the picture of the same scene at size 1, and (PowersOfTwo) the same bits
-// where the size is a power of two.
+// Scaled scenes give the same picture as at scale 1, and the same bits if the scale is a power of
+// two (PowersOfTwo).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -55,7 +55,7 @@ LAVER_STABILITY(Sizes, "Scenes of size 1e-15 to 1e15") {
         undoScale(scene, size, image);
         pixels += image.pixels.size() / 3;
         naive += naiveLost(scene, size);
-        // Rounded anew, vertices move by an ulp: pixels at edges may flip, in one of 1,000.
+        // Vertices are rounded again and move by an ulp: one pixel in 1,000, at edges, may change.
         std::uint64_t off = 0;
         for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
           const float d = std::abs(image.pixels[i] - original.pixels[i]);

@@ -24,7 +24,7 @@ dvec3 acrossTo(dvec3 v, std::mt19937& random) {
 
 }  // namespace
 
-SliverRay sliverRay(double aspect, double distance, double leastCosine, double mostCosine,
+SliverRay sliverRay(double aspect, double distance, double minCosine, double maxCosine,
                     std::mt19937& random) {
   std::uniform_real_distribution<double> place(-0.9, 0.9), unit(0.0, 1.0);
   const dvec3 along = unitVector(random), up = acrossTo(along, random);
@@ -46,10 +46,10 @@ SliverRay sliverRay(double aspect, double distance, double leastCosine, double m
   const dvec3 target =
       dvec3(corners[0]) * (1.0 - u - v) + dvec3(corners[1]) * u + dvec3(corners[2]) * v;
   const dvec3 n = exact::normal(result.triangle);
-  result.cosine = leastCosine + (mostCosine - leastCosine) * unit(random);
+  result.cosine = minCosine + (maxCosine - minCosine) * unit(random);
   const dvec3 side = acrossTo(n, random);
-  const dvec3 way = n * result.cosine + side * std::sqrt(1.0 - result.cosine * result.cosine);
-  const glm::vec3 origin(target - distance * way);
+  const dvec3 direction = n * result.cosine + side * std::sqrt(1.0 - result.cosine * result.cosine);
+  const glm::vec3 origin(target - distance * direction);
   result.ray = {origin, 0.0F, glm::vec3(target - dvec3(origin)), 1e37F};
   return result;
 }

@@ -6,16 +6,16 @@
 
 namespace laver::test {
 
-/// Triangles of one aspect ratio, longest edge by height, of about 0.1 in a unit box, and for each
-/// a ray that meets it inside.
+/// A triangle of a given aspect ratio (longest edge over height), of size about 0.1 in a unit box,
+/// and a ray that hits its inside.
 struct SliverRay {
   shared::Triangle triangle;
   TestRay ray;
-  double cosine;  ///< of the incidence, about
+  double cosine;  ///< of incidence, approximately
 };
 
-/// `distance`: of the origin. The cosine is drawn evenly from its range.
-SliverRay sliverRay(double aspect, double distance, double leastCosine, double mostCosine,
+/// `distance` is that of the origin. The cosine is uniform in its range.
+SliverRay sliverRay(double aspect, double distance, double minCosine, double maxCosine,
                     std::mt19937& random);
 
 }  // namespace laver::test

@@ -1,5 +1,5 @@
-// The distance at slivers and at grazing incidence, in units of the last place, and the bounds that
-// the README states for distance and normals.
+// Errors of distances at slivers and at grazing incidence, in ulp, and the stated bounds for
+// distances and normals.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kAspects[] = {1.0, 1e2, 1e3, 1e4, 1e5, 1e6};
 
-/// Errors of many rays at triangles of one kind.
+/// Errors of many rays at one kind of triangle.
 struct Errors {
   std::vector<double> naiveT, t, normal, shading, radiance;
 };
@@ -31,29 +31,29 @@ double angle(glm::vec3 value, glm::dvec3 truth) {
 
 /// cos / d^2, in the precision of its arguments.
 float lambert(glm::vec3 light, glm::vec3 position, glm::vec3 normal) {
-  const glm::vec3 way = light - position;
-  const float squared = shared::dotProduct(way, way);
-  return 1.0F / squared * (shared::dotProduct(normal, way) / std::sqrt(squared));
+  const glm::vec3 direction = light - position;
+  const float squared = shared::dotProduct(direction, direction);
+  return 1.0F / squared * (shared::dotProduct(normal, direction) / std::sqrt(squared));
 }
 double lambert(const glm::dvec3& light, const glm::dvec3& position, const glm::dvec3& normal) {
-  const glm::dvec3 way = light - position;
-  const double squared = glm::dot(way, way);
-  return glm::dot(normal, way) / std::sqrt(squared) / squared;
+  const glm::dvec3 direction = light - position;
+  const double squared = glm::dot(direction, direction);
+  return glm::dot(normal, direction) / std::sqrt(squared) / squared;
 }
 
-/// Errors at single triangles, by the twin's text for the point that was met. The last columns of
-/// the tables are for reading; what is judged is t.
-Errors errorsOf(const Twin& twin, double aspect, double distance, double least, double most,
-                std::uint64_t count) {
+/// Errors at single triangles, by the twin's pointAt(). The table's last columns are informative;
+/// only t is judged.
+Errors errorsOf(const Twin& twin, double aspect, double distance, double minCosine,
+                double maxCosine, std::uint64_t count) {
   Errors all;
   std::mutex mutex;
   forBatches(count, 1024, 9, [&](std::uint64_t, std::mt19937& random) {
     Errors own;
     for (int i = 0; i < 1024; ++i) {
-      const SliverRay s = sliverRay(aspect, distance, least, most, random);
+      const SliverRay s = sliverRay(aspect, distance, minCosine, maxCosine, random);
       const auto truth = exact::planeHit(s.ray.origin, s.ray.direction, s.triangle);
-      if (!truth.inside || truth.cosine < least || truth.cosine > most) continue;
-      // The text is asked only where the kernel accepts the hit.
+      if (!truth.inside || truth.cosine < minCosine || truth.cosine > maxCosine) continue;
+      // pointAt() is only defined where the kernel accepts the hit.
       if (!twin.inside(s.ray.origin, s.ray.direction, s.triangle)) continue;
       const shared::Point p = twin.point(s.ray.origin, s.ray.direction, s.triangle);
       own.t.push_back(exact::ulps(p.t, truth.t));
@@ -70,7 +70,8 @@ Errors errorsOf(const Twin& twin, double aspect, double distance, double least, 
       const glm::dvec3 trueShading =
           glm::normalize(w.x * glm::dvec3(na) + w.y * glm::dvec3(nb) + w.z * glm::dvec3(nc));
       own.shading.push_back(angle(shading, trueShading));
-      // A light 3 off along the plane's normal and 1 aside, by direct_whitted.comp's formula.
+      // A light at 3 along the plane's normal and 1 sideways, by the formula of
+      // direct_whitted.glsl.
       const glm::dvec3 position = glm::dvec3(s.ray.origin) + truth.t * glm::dvec3(s.ray.direction);
       const glm::vec3 light(position + 3.0 * exact::normal(s.triangle) +
                             glm::dvec3(na - nb) * 10.0);
@@ -95,7 +96,7 @@ Errors errorsOf(const Twin& twin, double aspect, double distance, double least, 
 
 /// The largest error of each kind over what is stated for it, as the README has it: triangles of
 /// longest edge 0.1 in a scene of half-width 1, seen at no less than cosine c from `distance`:
-///   t         p99 0.4 / c ulp, as measured; at most 23 / c ulp, with e = 2^-24, w = a - o and
+///   t         p99 0.4 / c ulp, as measured; at maxCosine 23 / c ulp, with e = 2^-24, w = a - o and
 ///             |w| <= 1.5 t |d|: components of n err by 4 e, w by e, a dot product by 3 e of its
 ///             absolute terms, so n . w by 8 e |n| |w| and n . d by 7 e |n| |d|, of |n| t |d| c and
 ///             |n| |d| c; rounded edges move the plane by e / c of t; 3 e for what follows
@@ -119,7 +120,7 @@ struct Shares {
   }
 };
 
-/// Slivers in one tree, each asked for by a ray that begins and ends beside it.
+/// Slivers in one tree; each is hit by a ray that starts and ends near it.
 struct SliverField {
   Bvh bvh;
   std::vector<TestRay> rays;   ///< 64 copies for each triangle, in the order of the ids
@@ -154,7 +155,7 @@ std::vector<double> errorsOf(Subject& subject, const SliverField& field) {
 }
 
 LAVER_STABILITY(Slivers, "Slivers of aspect 1e2 to 1e6, and grazing incidence") {
-  // As many in slow builds too: a percentile of fewer strays beyond its bound.
+  // As many in slow builds, too: a percentile of fewer would exceed its bound.
   const std::uint64_t count = full ? 1ULL << 20 : 1ULL << 16;
   for (const double aspect : kAspects) {
     if (aspect == 1.0) continue;
@@ -180,10 +181,10 @@ LAVER_STABILITY(Slivers, "Slivers of aspect 1e2 to 1e6, and grazing incidence") 
     const bool shown = twin == twins()[1];
     Shares shares;
     std::uint64_t rays = 0;
-    const auto line = [&](const std::string& head, double aspect, double distance, double least,
-                          double most) {
-      const Errors e = errorsOf(*twin, aspect, distance, least, most, count);
-      shares.add(e, aspect, distance, least);
+    const auto line = [&](const std::string& head, double aspect, double distance, double minCosine,
+                          double maxCosine) {
+      const Errors e = errorsOf(*twin, aspect, distance, minCosine, maxCosine, count);
+      shares.add(e, aspect, distance, minCosine);
       rays += e.t.size();
       return std::vector<std::string>{head,
                                       bounds(e.t),
@@ -202,9 +203,9 @@ LAVER_STABILITY(Slivers, "Slivers of aspect 1e2 to 1e6, and grazing incidence") 
       cells.push_back(line(fmt::format("{:.0e}", aspect), aspect, 2.0, 0.1, 1.0));
     if (shown) record.table("Error by aspect ratio, p99 / max, distance 2, cos > 0.1", cells);
     cells = table("cos");
-    for (const double most : {1.0, 0.1, 0.01, 0.001})
-      cells.push_back(
-          line(fmt::format("{:.0e} to {:.0e}", 0.1 * most, most), 10.0, 2.0, 0.1 * most, most));
+    for (const double maxCosine : {1.0, 0.1, 0.01, 0.001})
+      cells.push_back(line(fmt::format("{:.0e} to {:.0e}", 0.1 * maxCosine, maxCosine), 10.0, 2.0,
+                           0.1 * maxCosine, maxCosine));
     if (shown) record.table("Error by incidence, p99 / max, aspect 10, distance 2", cells);
     cells = table("distance");
     for (const double distance : {0.2, 2.0, 20.0, 200.0, 2000.0})

@@ -1,5 +1,5 @@
 // Spheres far, huge, tiny and grazing, from outside and inside, against 113-bit arithmetic, and the
-// quadratic as it is taught.
+// textbook quadratic.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -23,9 +23,9 @@ shared::Triangle sphereOf(vec3 centre, float radius, std::uint32_t id) {
   return {centre, id, vec3(radius), 0, vec3(0.0F), shared::IS_SPHERE};
 }
 
-/// How a ray's line, floats as they are, stands to a sphere.
+/// The exact relation of a ray's line, given in floats, to a sphere.
 struct Truth {
-  Quad apart;         // of the line from the centre
+  Quad apart;         // distance of the line from the centre
   Quad enter, leave;  // t
   double cosine;      // of the incidence where it enters
   dvec3 normal;       // there
@@ -33,8 +33,8 @@ struct Truth {
 
 Quad rootOf(Quad x) {
   if (x <= 0) return 0;
-  auto r = static_cast<Quad>(
-      std::sqrt(static_cast<double>(x)));  // three steps of Newton's method double its 53 bits
+  auto r =
+      static_cast<Quad>(std::sqrt(static_cast<double>(x)));  // Newton's method extends its 53 bits
   for (int i = 0; i < 3; ++i) r = (r + x / r) / 2;
   return r;
 }
@@ -60,8 +60,8 @@ Truth truthOf(vec3 origin, vec3 direction, vec3 centre, float radius) {
   return truth;
 }
 
-/// The t of a hit beyond `mint` by b^2 - 4 a c in float; infinite for none.
-float taught(vec3 origin, vec3 direction, vec3 centre, float radius, float mint) {
+/// t of the first hit beyond `mint` by b^2 - 4 a c in float; infinite for none.
+float textbook(vec3 origin, vec3 direction, vec3 centre, float radius, float mint) {
   const vec3 f = origin - centre;
   const float a = glm::dot(direction, direction), b = 2.0F * glm::dot(f, direction);
   const float rest = b * b - 4.0F * a * (glm::dot(f, f) - radius * radius);
@@ -82,8 +82,8 @@ const Setting kSettings[] = {{"near, radius 0.5 from 2", 0.5F, 2.0F, vec3(0.1F, 
                              {"huge, radius 1 from 1e-4 above", 1.0F, 1.0001F, vec3(0.0F)},
                              {"inside, radius 1 from 1e-5 below", 1.0F, 0.99999F, vec3(0.0F)}};
 
-/// Blocks of 64 rays of one origin, at points of the disc that the sphere shows, up to `edge` radii
-/// from its middle; inside and close above in all directions.
+/// Blocks of 64 rays with a common origin, aimed at points of the sphere's visible disc, up to
+/// `edge` radii from its centre; from inside and from close above, in all directions.
 std::vector<TestRay> raysAt(const Setting& s, std::uint64_t count, double edge) {
   std::mt19937 random(18);
   std::normal_distribution<double> normal;
@@ -97,10 +97,10 @@ std::vector<TestRay> raysAt(const Setting& s, std::uint64_t count, double edge) 
     if (i % 64 == 0) origin = vec3(dvec3(s.centre) + static_cast<double>(s.distance) * anyWay());
     const dvec3 back = dvec3(s.centre) - dvec3(origin);
     const dvec3 side = glm::normalize(glm::cross(back, anyWay()));
-    const double way = edge * std::sqrt(unit(random)) * static_cast<double>(s.radius);
+    const double offset = edge * std::sqrt(unit(random)) * static_cast<double>(s.radius);
     const dvec3 aim = static_cast<double>(s.distance) < 1.5 * static_cast<double>(s.radius)
                           ? anyWay()
-                          : back + way * side;
+                          : back + offset * side;
     rays.push_back(rayOf(origin, vec3(aim)));
   }
   return rays;
@@ -111,8 +111,8 @@ struct Errors {
   std::uint64_t outline = 0;
 };
 
-/// The hits of rays at one sphere against the truth: the outline beyond the bound of sphere.h, and
-/// where the incidence is steep enough t in ulp and, for a twin, the normal in 2^-24.
+/// Errors of the hits at one sphere: wrong hits at the outline beyond the bound of sphere.h, t in
+/// ulp where the incidence is steep enough, and for a twin the normal in units of 2^-24.
 template <class HitOf>
 Errors judge(const Setting& s, const std::vector<TestRay>& rays, const Twin* twin,
              const shared::Triangle& sphere, const HitOf& hitOf) {
@@ -123,12 +123,12 @@ Errors judge(const Setting& s, const std::vector<TestRay>& rays, const Twin* twi
     const float t = hitOf(i);
     const bool hit = t < 1e36F;
     const bool met = truth.apart <= Quad(s.radius) && truth.leave >= 0;
-    // The line by 16 e A, the outline by 5 e radius (box.h, sphere.h).
+    // Bound: 16 e A for the line, 5 e radius for the outline (box.h, sphere.h).
     const double bound =
         static_cast<double>(shared::padOf(o)) + 8 * 0x1p-24 * static_cast<double>(s.radius);
     const double off = std::abs(static_cast<double>(truth.apart - Quad(s.radius)));
     if (hit != met) {
-      // From on the surface the ends of the chord decide too.
+      // For an origin on the surface the ends of the chord matter, too.
       const double end = std::abs(static_cast<double>(truth.leave)) * glm::length(dvec3(d));
       errors.outline += off > bound && end > bound ? 1 : 0;
       continue;
@@ -149,7 +149,7 @@ LAVER_STABILITY(Spheres, "Spheres: far, huge, tiny, grazing, from inside") {
     const Bvh bvh = buildBvh(spheres);
     const auto rays = raysAt(s, amount(full, 1U << 16, 1U << 20), 1.1);
     const Errors naive = judge(s, rays, nullptr, spheres[0], [&](std::size_t i) {
-      const float t = taught(rays[i].origin, rays[i].direction, s.centre, s.radius, 1e-4F);
+      const float t = textbook(rays[i].origin, rays[i].direction, s.centre, s.radius, 1e-4F);
       return std::isfinite(t) ? t : 1e37F;
     });
     for (const auto& subject : subjects(bvh)) {
@@ -160,7 +160,7 @@ LAVER_STABILITY(Spheres, "Spheres: far, huge, tiny, grazing, from inside") {
       record.add({fmt::format("outline: {}", s.name), subject->name, rays.size(),
                   fails ? std::optional(static_cast<double>(naive.outline)) : std::nullopt,
                   static_cast<double>(ours.outline), 0.0, "rays"});
-      // As the case Slivers wants of triangles.
+      // The same bound as in the case Slivers.
       record.add({fmt::format("t, 99th percentile at cos > 0.1: {}", s.name), subject->name,
                   ours.t.size(), percentile(naive.t, 0.99), percentile(ours.t, 0.99), 4.0, "ulp"});
       if (subject->twin != nullptr)
@@ -170,7 +170,7 @@ LAVER_STABILITY(Spheres, "Spheres: far, huge, tiny, grazing, from inside") {
   }
 }
 
-/// Points of a sphere as camera rays find them, those that face the light.
+/// Points of a sphere hit by camera rays that face the light.
 std::vector<vec3> litPoints(Subject& subject, const Bvh& bvh, const Setting& s, vec3 light,
                             const std::vector<TestRay>& rays) {
   const auto hits = subject.closest(rays);
@@ -179,7 +179,7 @@ std::vector<vec3> litPoints(Subject& subject, const Bvh& bvh, const Setting& s, 
     if (hits[i].id == shared::NO_HIT) continue;
     const Truth truth = truthOf(rays[i].origin, rays[i].direction, s.centre, s.radius);
     const dvec3 p = dvec3(s.centre) + truth.normal * static_cast<double>(s.radius);
-    // e (|centre| + radius) / radius is what a point's rounding tilts the horizon by.
+    // The rounding of a point tilts its horizon by e (|centre| + radius) / radius.
     const double level =
         64 * 0x1p-24 * (1.0 + glm::length(dvec3(s.centre)) / static_cast<double>(s.radius));
     if (glm::dot(truth.normal, glm::normalize(dvec3(light) - p)) > level)
@@ -200,12 +200,12 @@ LAVER_STABILITY(SphereShadows, "Spheres shade neither themselves nor nothing") {
       for (const TestRay& r : rays) {  // as in Acne: a scene of a thousand units, mint 1e-4
         const float k = 1e3F;
         const vec3 d = glm::normalize(r.direction);
-        const float t = taught(r.origin * k, d, s.centre * k, s.radius * k, 1e-4F);
+        const float t = textbook(r.origin * k, d, s.centre * k, s.radius * k, 1e-4F);
         if (!std::isfinite(t)) continue;
         const vec3 p = r.origin * k + d * t, n = glm::normalize(p - s.centre * k);
-        const vec3 way = glm::normalize(light * k - p);
-        if (glm::dot(n, way) <= 1e-3F) continue;
-        naive += std::isfinite(taught(p, way, s.centre * k, s.radius * k, 1e-4F)) ? 1 : 0;
+        const vec3 direction = glm::normalize(light * k - p);
+        if (glm::dot(n, direction) <= 1e-3F) continue;
+        naive += std::isfinite(textbook(p, direction, s.centre * k, s.radius * k, 1e-4F)) ? 1 : 0;
       }
       for (const auto& subject : subjects(bvh)) {
         const auto points = litPoints(*subject, bvh, s, light, rays);
@@ -222,7 +222,7 @@ LAVER_STABILITY(SphereShadows, "Spheres shade neither themselves nor nothing") {
 }
 
 LAVER_STABILITY(SphereContact, "Spheres that touch cast their whole shadow") {
-  // One stands on the other, 0, 1 or 8 ulp above it or as much inside; the light is overhead.
+  // One sphere stands on the other, 0, 1 or 8 ulp above or inside it; the light is overhead.
   const float radius = 0.5F;
   for (const int ulps : {-8, -1, 0, 1, 8}) {
     const vec3 low(0.0F, -0.5F, 0.0F);
@@ -234,7 +234,7 @@ LAVER_STABILITY(SphereContact, "Spheres that touch cast their whole shadow") {
     std::mt19937 random(20);
     std::uniform_real_distribution<float> place(-0.02F, 0.02F);
     std::vector<TestRay> rays;
-    for (int i = 0; i < 64 * 64; ++i) {  // to the lower one's top, where y = -(x^2 + z^2)
+    for (int i = 0; i < 64 * 64; ++i) {  // to the top of the lower sphere, where y = -(x^2 + z^2)
       const float x = place(random), z = place(random);
       rays.push_back(rayOf(vec3(1.0F, 0.0F, 0.2F), vec3(x - 1.0F, -(x * x + z * z), z - 0.2F)));
     }

@@ -1,4 +1,5 @@
-// What the compiled kernels let a driver do: contract, drop NaN, compute with 64 bits.
+// Freedom that the compiled kernels leave to a driver: contraction, handling of NaN, 64-bit
+// arithmetic.
 #include <gtest/gtest.h>
 
 #include <spirv-tools/libspirv.hpp>
@@ -31,8 +32,8 @@ struct LintedKernel {
   bool traces;
 };
 
-/// Trace kernels of every integrator and layer by every traversal, with all that a scene can need,
-/// and gathering by every filter.
+/// Trace kernels of every integrator and layer for every traversal, with every feature of scenes,
+/// and gather kernels for every filter.
 std::vector<LintedKernel> everyKernel() {
   std::vector<LintedKernel> kernels;
   std::vector<std::string> integrators = {"centres", "shading_normal", "albedo"};
@@ -71,13 +72,13 @@ LAVER_STABILITY(Spirv, "SPIR-V: NoContraction, no min or max of NaN, no arithmet
     const std::string text = disassembly(compileGlsl(glsl, Effort::None));
     const KernelCounts counts = countOf(text);
     const auto faults = lint(counts, packet);
-    // A function that was renamed would escape the list.
+    // Renamed functions would otherwise go unchecked.
     for (const char* needed : {"differenceOfProducts", "edgesOf", "depthOf", "shearOf", "pointAt",
                                "filmPosition", "insidePixel", "cameraDirection"})
       EXPECT_EQ(counts.functions.count(needed), traces ? 1U : 0U) << name << ", " << needed;
     for (const std::string& fault : faults) ADD_FAILURE() << name << ": " << fault;
 
-    // Quick passes unroll and keep functions: what was precise altogether has to stay so.
+    // Effort::Quick unrolls loops and keeps functions: precise functions must stay precise.
     const KernelCounts quick = countOf(disassembly(compileGlsl(glsl, Effort::Quick)));
     for (const std::string& fault : lint(quick, packet)) ADD_FAILURE() << name << ": " << fault;
     for (const auto& [function, before] : counts.functions) {
@@ -85,8 +86,8 @@ LAVER_STABILITY(Spirv, "SPIR-V: NoContraction, no min or max of NaN, no arithmet
       if (after == quick.functions.end() || before.decorated != before.arithmetic) continue;
       EXPECT_EQ(after->second.decorated, after->second.arithmetic) << name << ", " << function;
     }
-    // Thorough ones inline: they hold precise functions more often than others. Where a pass drops
-    // the decoration, its share falls: to a half or a third, when tried.
+    // Effort::Thorough inlines precise functions several times, so the decorated share grows. If a
+    // pass drops the decoration, the share falls to a half or a third (tried).
     const Spirv thorough = compileGlsl(glsl, Effort::Thorough);
     EXPECT_GE(decoratedShare(countOf(disassembly(thorough))), decoratedShare(counts)) << name;
 
@@ -99,7 +100,7 @@ LAVER_STABILITY(Spirv, "SPIR-V: NoContraction, no min or max of NaN, no arithmet
   }
 }
 
-TEST(SpirvLint, FindsEachKindOfFault) {
+TEST(SpirvLint, FindsEachKindOfDefect) {
   const std::string good =
       "OpName %1 \"expected(f1;\"\nOpName %2 \"depthOf(f1;\"\nOpDecorate %3 NoContraction\n"
       "%f = OpTypeFloat 32\n%1 = OpFunction %f None %t\n%9 = OpFMul %f %a %b\n";

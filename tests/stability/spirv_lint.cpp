@@ -9,8 +9,8 @@
 namespace laver::test {
 namespace {
 
-/// Functions whose proofs count every rounding: all of their arithmetic must carry NoContraction,
-/// or, where some of it may round as it likes, some must. The fused products of
+/// Functions whose error bounds count every rounding: all of their arithmetic must be
+/// NoContraction, or some of it if the rest may round freely. The fused products of
 /// differenceOfProducts() are explicit and need none.
 enum class Precise { All, Some };
 const std::map<std::string, Precise> kPrecise = {
@@ -45,8 +45,9 @@ bool isPrecise(Precise precise, const FunctionCounts& counts) {
          (precise == Precise::Some || counts.decorated == counts.arithmetic);
 }
 
-/// Where FMin, FMax and FClamp may stand, and why no operand can be NaN there, or why it does not
-/// matter. Any other function that uses one is a fault: state the reason here or write a select.
+/// Functions that may use FMin, FMax and FClamp, with the reason why no operand is NaN or why NaN
+/// does not matter. Any other function that uses one is a defect: state the reason here or write a
+/// select.
 const std::map<std::string, const char*> kMayCompare = {
     {"unitOr", "largest |component|: NaN stays NaN or becomes a fallback, both dropped as such"},
     {"largestOf", "coordinates of vertices, finite"},
@@ -72,14 +73,15 @@ bool isArithmetic(const std::string& op) {
   return ops.contains(op);
 }
 
-/// Compares and conversions have a result of another type, or are none of what is counted.
+/// Comparisons and conversions have a result of another type and are not counted.
 bool isIntegerArithmetic(const std::string& op) {
   for (const char* prefix : {"OpI", "OpU", "OpS", "OpBit", "OpNot", "OpAtomic"})
     if (startsWith(op, prefix)) return op != "OpBitcast" && op != "OpSelect";
   return false;
 }
 
-/// Functions that hold group operations or call such, and where that may be without some lanes.
+/// Finds functions that execute group operations, directly or by calls, where some lanes may be
+/// inactive.
 class Divergence {
  public:
   void read(const std::string& line) {
@@ -103,9 +105,9 @@ class Divergence {
     if (operation == "OpFunctionCall") calls_.push_back({function_, callee, !arms_.empty()});
   }
 
-  /// Functions, once for each such place.
+  /// Names of functions, one entry per such place.
   std::vector<std::string> places() const {
-    std::set<std::string> groups{""};  // that which a group operation "calls"
+    std::set<std::string> groups{""};  // the callee of a group operation
     for (std::size_t known = 0; known != groups.size();) {
       known = groups.size();
       for (const Call& call : calls_)
@@ -128,7 +130,7 @@ class Divergence {
   std::string function_, merge_;
 };
 
-/// Whether a line stands in a loop that is to be unrolled.
+/// Whether a line is in a loop that is marked for unrolling.
 class UnrolledLoops {
  public:
   void read(const std::string& line) {
@@ -223,7 +225,7 @@ std::vector<std::string> lint(const KernelCounts& kernel, bool packet) {
     if (counts.divergent != 0)
       faults.push_back(fmt::format("{}: {} group operations where lanes may be missing", name,
                                    counts.divergent));
-    // Debug information gone, nothing could be found.
+    // Without names in the debug information the lint would find nothing.
     if (name.empty() || startsWith(name, "%")) faults.emplace_back("a function without a name");
   }
   return faults;

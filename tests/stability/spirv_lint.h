@@ -7,15 +7,15 @@ namespace laver::test {
 
 /// Counts over one function of a disassembled kernel.
 struct FunctionCounts {
-  int arithmetic = 0;    ///< float +, -, *, /, negation, dot: what a driver may contract
-  int decorated = 0;     ///< of these, with NoContraction
-  int unrolled = 0;      ///< of those, in a loop marked for unrolling, which drops NoContraction
-  int nanSensitive = 0;  ///< FMin, FMax, FClamp: undefined where an operand is NaN
+  int arithmetic = 0;    ///< float +, -, *, /, negation, dot, which a driver may contract
+  int decorated = 0;     ///< arithmetic with NoContraction
+  int unrolled = 0;      ///< decorated, but in a loop marked for unrolling, which drops it
+  int nanSensitive = 0;  ///< FMin, FMax, FClamp: undefined if an operand is NaN
   int divergent = 0;  ///< group operations, also by calls, in an arm of an `if` or of a `?:` that
                       ///< no constant decides: lanes may be missing
 };
 
-/// What a lint wants to know of a kernel.
+/// The properties of a kernel that lint() checks.
 struct KernelCounts {
   std::map<std::string, FunctionCounts> functions;  ///< by source name
   int doubles = 0;                                  ///< 64-bit float types and their capability
@@ -23,11 +23,11 @@ struct KernelCounts {
   int longArithmetic = 0;                           ///< instructions that compute with them
 };
 
-/// Reads what spirv-dis prints.
+/// Parses the output of spirv-dis.
 KernelCounts countOf(const std::string& disassembly);
 
-/// The faults of one kernel, one line each. Those of packets may pass on pairs of floats as 64-bit
-/// integers, which `packet` asks of a device; others need no more than any device has.
+/// The defects of one kernel, one line each. Kernels for packets may use 64-bit integers to pass
+/// pairs of floats, for which `packet` is true; others must not require optional features.
 std::vector<std::string> lint(const KernelCounts& kernel, bool packet = false);
 
 /// Share of the kernel's arithmetic that carries NoContraction, over all its functions.

@@ -1,5 +1,5 @@
-// Mirrored, with its axes permuted, or moved, a scene keeps its hits: the triangle at points well
-// inside, and the distance to some ulp.
+// A scene that is mirrored, has its axes permuted, or is moved keeps its hits: the same triangle at
+// points well inside, and the same distance up to some ulp.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -19,7 +19,7 @@ namespace {
 
 using glm::dvec3;
 
-/// Rays at points well inside triangles of a sphere of half-width near 1, in scene space.
+/// Rays to points well inside triangles of a sphere of half-width about 1, in scene space.
 struct Rays {
   std::vector<dvec3> origins, targets;
 };

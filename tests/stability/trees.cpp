@@ -1,5 +1,5 @@
-// Scenes that make trees deep or leaves equal: the depth is bounded, the stack measured, no loop
-// limit reached, and every hit is that of a loop over all triangles.
+// Scenes that cause deep trees or coincident leaves: the depth is bounded, the stack is sufficient,
+// no loop limit is reached, and every hit equals that of a loop over all triangles.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ struct Case {
   std::vector<shared::Triangle> triangles;
 };
 
-/// Sorted corners, ids in order.
+/// Packed triangles: sorted corners, ids in order.
 std::vector<shared::Triangle> packed(std::vector<glm::vec3> positions,
                                      const std::vector<glm::uvec3>& triangles) {
   const auto sorted = closedMesh(std::move(positions), triangles).bvh.triangles;
@@ -40,7 +40,7 @@ std::vector<Case> scenes() {
   all.push_back({"cascade of 0.3^k", packed(positions, triangles)});
   positions.clear();
   triangles.clear();
-  // A packet of rays that differ walks them once for each, within the loops that a driver allows.
+  // A packet of incoherent rays visits all of these once per ray, within the driver's loop limit.
   for (int k = 0; k < 1500; ++k) add({-1, -1, -0.5F}, {1, -1, -0.5F}, {0, 1, -0.4F});
   all.push_back({"1,500 copies", packed(positions, triangles)});
   positions.clear();
@@ -68,7 +68,7 @@ LAVER_STABILITY(Trees, "Trees: cascade, duplicates, shells") {
                          static_cast<std::uint32_t>(items.size()));
     const BinaryTree binary = buildBinary(std::move(items), 1);
     const Bvh bvh = buildBvh(c.triangles);
-    // Below kSahDepth items are halved; a node of eight takes at least a level of two.
+    // Below kSahDepth items are halved; a node of eight children spans at least one binary level.
     const double bound = kSahDepth + std::ceil(std::log2(c.triangles.size()));
     record.add({std::string(c.name) + ", depth; naive: leaves of one", "builder",
                 c.triangles.size(), std::nullopt, static_cast<double>(bvh.depth), bound,
@@ -80,11 +80,11 @@ LAVER_STABILITY(Trees, "Trees: cascade, duplicates, shells") {
     glm::vec3 eye(0.0F);
     for (std::size_t i = 0; i < rays.size(); ++i) {
       if (i % 64 == 0) eye = {place(random), place(random), 2.0F};
-      // Ever nearer to the middle, where the cascade ends.
+      // Targets approach the centre, where the cascade ends.
       const float near = std::pow(0.5F, static_cast<float>(i % 40));
       rays[i] = rayOf(eye, glm::vec3(near * place(random), near * place(random), -near) - eye);
     }
-    // A tree of one leaf chain: no boxes.
+    // A tree that is one chain of leaves, without boxes.
     Bvh flat;
     flat.triangles.assign(c.triangles.begin(), c.triangles.end());
     for (std::size_t i = 0; i < flat.triangles.size(); ++i)
@@ -100,7 +100,7 @@ LAVER_STABILITY(Trees, "Trees: cascade, duplicates, shells") {
         met += truth[i].id != shared::NO_HIT ? 1 : 0;
       }
       EXPECT_GT(met, rays.size() / 10);
-      // Fused, hits at a tie of two shells' edges may go to the other.
+      // With fused operations, ties between edges of two shells may have the other winner.
       if (subject->name == "C++ contracted") continue;
       record.add({std::string(c.name) + ", against a loop", subject->name, rays.size(),
                   std::nullopt, static_cast<double>(differ), 0.0, "hits"});

@@ -7,9 +7,9 @@
 
 namespace laver::test {
 
-/// A closed mesh around `centre` whose vertices have distances within 1 ± `bump` from it, in rings
-/// of `segments` from pole to pole. With corners less than 0.4 apart in angle and bumps of 0.1, no
-/// point of it is nearer than 0.8.
+/// A closed mesh around `centre` whose vertices are at distances of 1 ± `bump`, in rings of
+/// `segments` from pole to pole. With corners less than 0.4 apart in angle and bumps of 0.1, no
+/// point of it is nearer to the centre than 0.8.
 inline Mesh bumpySphere(unsigned rings, unsigned segments, double bump, glm::dvec3 centre) {
   Mesh mesh;
   const auto add = [&](double theta, double phi) {

@@ -7,7 +7,7 @@
 
 namespace laver::test {
 
-/// Expects an Error of that code with one line that names `part`.
+/// Expects an Error of that code whose message is one line and contains `part`.
 template <class Action>
 void expectError(ExitCode code, const std::string& part, Action action) {
   try {

@@ -12,8 +12,8 @@
 
 namespace laver::test {
 
-/// A PNG file of rows of samples, `depth` bits each, most significant byte first. The palette of a
-/// PNG_COLOR_TYPE_PALETTE has the colours (10 i, 20 i, 30 i).
+/// A PNG file from rows of samples of `depth` bits each, most significant byte first. The palette
+/// of a PNG_COLOR_TYPE_PALETTE has the colours (10 i, 20 i, 30 i).
 inline std::string png(int width, int height, int depth, int colorType,
                        const std::vector<std::vector<unsigned char>>& rows,
                        int interlace = PNG_INTERLACE_NONE) {
@@ -44,7 +44,7 @@ inline std::string png(int width, int height, int depth, int colorType,
   return bytes;
 }
 
-/// A JPEG file of the best quality, without subsampling; `channels` values a pixel.
+/// A JPEG file of the best quality, without subsampling; `channels` values per pixel.
 inline std::string jpeg(int width, int height, int channels, J_COLOR_SPACE space,
                         std::vector<unsigned char> samples) {
   jpeg_compress_struct file{};

@@ -9,10 +9,10 @@
 
 namespace laver::test {
 
-/// A folder for a scene and the files that it names.
+/// A folder for a scene and its files.
 class SceneFiles : public TemporaryFolder {
  public:
-  /// Text with the folder's name taken out, so that tests can state whole messages.
+  /// Removes the folder's path from a text, so that tests can state whole messages.
   std::string plain(std::string text) const {
     const std::string prefix = path().string() + "/";
     for (std::size_t at; (at = text.find(prefix)) != std::string::npos;)

@@ -10,7 +10,7 @@
 
 namespace laver::test {
 
-/// An empty folder, removed with the object.
+/// An empty folder that is removed with the object.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -28,14 +28,14 @@ class TemporaryFolder {
   const std::filesystem::path& path() const { return path_; }
   std::string path(const std::string& name) const { return (path_ / name).string(); }
 
-  /// Writes a file, in subfolders that are made, and returns its path.
+  /// Writes a file, creates its subfolders, and returns its path.
   std::string write(const std::string& name, const std::string& text) const {
     std::filesystem::create_directories((path_ / name).parent_path());
     std::ofstream(path(name), std::ios::binary) << text;
     return path(name);
   }
 
-  /// Names of the folder's entries, hidden ones too.
+  /// Names of all entries, including hidden ones.
   std::set<std::string> names() const {
     std::set<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(path_))

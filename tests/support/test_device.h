@@ -4,8 +4,8 @@
 
 namespace laver::test {
 
-/// The device that tests render on, as --device takes it, without blanks: LAVER_TEST_DEVICE, or the
-/// first of the type CPU.
+/// The device for tests, a value of --device without blanks: LAVER_TEST_DEVICE, or the first device
+/// of type CPU.
 inline std::string testDevice() {
   const char* wanted = std::getenv("LAVER_TEST_DEVICE");
   return wanted != nullptr ? wanted : "cpu";

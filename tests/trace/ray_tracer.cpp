@@ -28,10 +28,10 @@ std::string testText(const std::string& name) {
 
 namespace {
 
-/// Of one dispatch: 32 MiB of rays.
+/// Rays per dispatch: 32 MiB.
 constexpr std::size_t kRays = std::size_t{1} << 20;
 constexpr std::uint32_t kInput = shared::BINDINGS, kOutput = shared::BINDINGS + 1;
-/// Workgroups a row of a dispatch.
+/// Workgroups per row of a dispatch.
 constexpr std::uint32_t kRow = 1024;
 
 static_assert(sizeof(TestRay) == 32 && sizeof(TestHit) == 16);
@@ -87,7 +87,7 @@ struct RayTracer::Impl {
     return buffers.back();
   }
 
-  /// Packets read a little beyond the last leaf.
+  /// Packets read up to MAX_LEAF - 1 triangles beyond the last leaf.
   void uploadTexels(std::uint32_t binding, std::span<const std::byte> data) {
     const std::size_t zeros = (shared::MAX_LEAF - 1) * sizeof(shared::Triangle);
     const Buffer& buffer = bindTexels(binding, data.size() + zeros);
@@ -107,7 +107,7 @@ struct RayTracer::Impl {
     seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
-  /// Calls part(begin, end) for pieces of whole blocks that one dispatch takes.
+  /// Calls part(begin, end) for pieces of whole blocks that fit one dispatch.
   template <class Part>
   void inParts(std::size_t count, const Part& part) {
     seconds = 0;

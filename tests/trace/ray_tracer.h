@@ -10,7 +10,7 @@
 
 namespace laver::test {
 
-/// origin + t * direction, tmin <= t <= tmax, in the kernels' space (Normalisation).
+/// A ray origin + t * direction, tmin <= t <= tmax, in normalised space (Normalisation).
 struct TestRay {
   glm::vec3 origin;
   float tmin;
@@ -18,8 +18,8 @@ struct TestRay {
   float tmax;
 };
 
-/// `id` is shared::NO_HIT and t the ray's tmax where nothing was met. u and v are the weights of
-/// the corners b and c of the shared::Triangle of that id, whose corners are sorted; 0 on a sphere.
+/// The hit of a ray. For a miss, `id` is shared::NO_HIT and t the ray's tmax. u and v are the
+/// weights of corners b and c of shared::Triangle, whose corners are sorted; 0 on a sphere.
 struct TestHit {
   float t, u, v;
   std::uint32_t id;
@@ -28,27 +28,27 @@ struct TestHit {
 /// The text of a kernel in tests/trace/.
 std::string testText(const std::string& name);
 
-/// Rays of a test's choice through the traversals of shaders/, in kernels of the tests' own.
+/// Traces arbitrary rays with the traversals of shaders/, in kernels made for tests.
 class RayTracer {
  public:
-  /// `traversal` is "lane", or "packet32" or "packet64", which need what bestTraversal says. Throws
-  /// Error(Device).
+  /// `traversal` is "lane", "packet32" or "packet64"; packets need the features that runsPackets()
+  /// checks. Throws Error(Device).
   RayTracer(const Device& device, const Bvh& bvh, const std::string& traversal);
   ~RayTracer();
 
-  /// Nearest hits. By packet, rays come in blocks of 64, each with one origin: that of its first
-  /// ray counts; the last block may be shorter.
+  /// Nearest hits. Packets take rays in blocks of 64 that share the origin of their first ray; the
+  /// last block may be shorter.
   std::vector<TestHit> closest(std::span<const TestRay> rays);
 
-  /// The same of rays with origins of their own.
+  /// Nearest hits of rays with different origins.
   std::vector<TestHit> closestOfAny(std::span<const TestRay> rays);
 
-  /// 1 for each point with nothing between it and the light, else 0. Points count as they are:
-  /// those of a surface are moved off it by the caller. A point whose x is NaN is not traced: 0.
+  /// 1 for each point that is unoccluded from the light, else 0. Points are not offset; the caller
+  /// must do that for points on a surface. A point whose x is NaN is not traced: 0.
   std::vector<std::uint32_t> visible(glm::vec3 light, std::span<const glm::vec3> points);
 
-  /// Of the latest call: seconds of dispatches alone, transfers left out, and invocations that ran
-  /// out of loop iterations or of stack. Where those are not 0, results mean nothing.
+  /// Statistics of the latest call: seconds of dispatches without transfers, and invocations that
+  /// exceeded loop iterations or stack. If these are not 0, results are invalid.
   double seconds() const;
   std::uint32_t incomplete() const;
 

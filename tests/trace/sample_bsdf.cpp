@@ -1,4 +1,4 @@
-// What BSDFs draw on the device, against their twins in double precision.
+// Sampled directions of BSDFs on the device, against the reference's BSDFs.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -21,8 +21,8 @@ struct Drawn {
   glm::vec4 woAndPdf, weight;
 };
 
-/// Directions from the upper and the lower side, and two numbers for each.
-std::vector<std::array<glm::vec4, 2>> questions() {
+/// Directions on the upper and the lower side, with two random numbers for each.
+std::vector<std::array<glm::vec4, 2>> inputs() {
   std::mt19937 engine(5);
   std::uniform_real_distribution<float> number(0.0F, 1.0F);
   std::vector<std::array<glm::vec4, 2>> all(4096);
@@ -76,11 +76,11 @@ std::vector<Drawn> drawn(const Bsdf& bsdf, std::span<const std::array<glm::vec4,
 
 class SampleBsdf : public testing::TestWithParam<const BsdfRow*> {};
 
-TEST_P(SampleBsdf, OfTheDeviceIsItsTwins) {
+TEST_P(SampleBsdf, OnTheDeviceEqualsTheReference) {
   Bsdf bsdf;
   bsdf.row = GetParam();
   bsdf.albedo = {0.25, 0.5, 0.75};
-  const auto input = questions();
+  const auto input = inputs();
   const auto output = drawn(bsdf, input);
   const reference::BsdfPoint point{bsdf, bsdf.albedo, {0.0, 0.0, 1.0}};
   std::size_t other = 0;
@@ -89,8 +89,8 @@ TEST_P(SampleBsdf, OfTheDeviceIsItsTwins) {
     const reference::BsdfSample truth =
         bsdf.row->sample(point, wi, {static_cast<double>(input[i][0].w), input[i][1].x});
     const glm::dvec3 wo(output[i].woAndPdf);
-    // Some tens of roundings of numbers of about 1: 2^-24 each. A choice may fall the other way
-    // where a number equals a probability to rounding.
+    // Some tens of roundings of numbers of about 1: 2^-24 each. A choice may differ if a random
+    // number equals a probability up to rounding.
     if (glm::length(wo - truth.wo) > 1e-5) {
       ++other;
       continue;

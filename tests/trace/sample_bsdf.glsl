@@ -1,9 +1,9 @@
-// Directions that a BSDF draws. The text before includes it and names its functions SAMPLE and PDF. Input:
-// wi and the first number, the second number; output: wo and pdf, weight.
+// Directions that a BSDF samples. The preceding text includes the BSDF and defines SAMPLE and PDF as the
+// names of its functions. Input: wi and the first number, the second number; output: wo and pdf, weight.
 layout(local_size_x = 64) in;
 layout(binding = BINDINGS) uniform textureBuffer inputTexels;
 layout(binding = BINDINGS + 1) writeonly buffer OutputBlock { vec4 outputOf[]; };
-// Here Pass holds: region.x the count; core.xy the BSDF's numbers, as bits of floats.
+// Pass is used as: region.x the count; core.xy the BSDF's numbers, as bits of floats.
 
 void main() {
   const uint n = gl_GlobalInvocationID.x;

@@ -1,4 +1,4 @@
-// Where the device places samples, against the reference, to the bit.
+// Film positions of samples on the device, against the reference, to the bit.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -15,8 +15,8 @@
 namespace laver::test {
 namespace {
 
-/// Film positions and apertures of samples first .. first + count - 1 of the pixels of `region` (x,
-/// y, width, height), as tests/trace/sample_positions.glsl lists them.
+/// Film positions and second pairs of samples first .. first + count - 1 of the pixels of `region`
+/// (x, y, width, height), in the order of tests/trace/sample_positions.glsl.
 std::vector<glm::vec4> devicePositions(const Device& device, const Scene& scene, glm::uvec4 region,
                                        std::uint32_t first, std::uint32_t count) {
   TraceKey key;
@@ -26,7 +26,7 @@ std::vector<glm::vec4> devicePositions(const Device& device, const Scene& scene,
   packSampler(scene, key.jumpLevels, data);
   data.params.filmSize = {static_cast<std::uint32_t>(scene.camera.width),
                           static_cast<std::uint32_t>(scene.camera.height)};
-  data.jumps.resize(data.jumps.size() + 3);  // `independent` alone reads them
+  data.jumps.resize(data.jumps.size() + 3);  // only `independent` reads them
 
   std::array<VkDescriptorType, shared::BINDINGS + 1> types;
   types.fill(VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER);
@@ -73,7 +73,7 @@ struct Film {
 
 class SamplePositions : public testing::TestWithParam<Film> {};
 
-TEST_P(SamplePositions, OfTheDeviceAreTheReferences) {
+TEST_P(SamplePositions, OnTheDeviceEqualTheReferences) {
   const Film& film = GetParam();
   const Instance instance(false);
   const Device device(choosePhysicalDevice(instance, testDevice()));

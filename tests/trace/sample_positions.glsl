@@ -1,5 +1,5 @@
-// Film positions and further pairs of the samples of the region, as the trace kernels have them: pixels
-// row by row, all samples of one after the other. core.x is the dimension of the further pair.
+// Film positions and further pairs of the samples of the region, as in the trace kernels: pixels row by row,
+// with all samples of a pixel in sequence. core.x is the dimension of the further pair.
 #include "sampler/sampler.glsl"
 
 layout(local_size_x = 64) in;

@@ -1,4 +1,4 @@
-// Rays from memory: both traversals against the double-precision tree, and against each other.
+// Rays from memory: all traversals against the double-precision tree, and against each other.
 #include <cstring>
 #include <random>
 
@@ -25,8 +25,8 @@ class TraceRays : public testing::Test {
   vec3 point(float size) { return vec3(number(size), number(size), number(size)); }
   float number(float size) { return std::uniform_real_distribution(-size, size)(engine_); }
 
-  /// Blocks of 64 of one origin, narrow and wide, some cut short at both ends; the last block is
-  /// short.
+  /// Blocks of 64 rays of one origin, narrow and wide, some with tmin and tmax inside the scene;
+  /// the last block is shorter.
   std::vector<TestRay> someRays() {
     std::vector<TestRay> rays;
     for (int block = 0; block < 151; ++block) {
@@ -54,7 +54,7 @@ reference::Tree doubleTree(const Bvh& bvh) {
   return reference::Tree(triangles);
 }
 
-TEST_F(TraceRays, NearestHitsAreTheReferences) {
+TEST_F(TraceRays, NearestHitsEqualTheReferences) {
   const auto tree = doubleTree(scene_.bvh);
   const std::vector<TestRay> rays = someRays();
   const std::vector<TestHit> hits = lane_.closest(rays);
@@ -71,13 +71,13 @@ TEST_F(TraceRays, NearestHitsAreTheReferences) {
       continue;
     }
     ++met;
-    // A float's rounding may put a ray on the other side of an edge: some 1e-7 of a triangle's 0.1
-    // for each ray.
+    // Rounding may put a ray on the other side of an edge: about 1e-7 of a triangle's size of 0.1
+    // per ray.
     otherSide += hits[i].id != wanted->triangle->id;
-    // 2^-24 * |origin| / |direction|, some ten times over; directions are longer than 0.1.
+    // 2^-24 * |origin| / |direction|, about ten times; directions are longer than 0.1.
     EXPECT_NEAR(static_cast<double>(hits[i].t), wanted->t, 2e-5) << i;
     if (hits[i].id != wanted->triangle->id) continue;
-    // The same against an edge of 0.1, seen flat at worst by a slope of 100.
+    // The same relative to an edge of 0.1, seen with a slope of up to 100.
     EXPECT_NEAR(static_cast<double>(hits[i].u), wanted->weights[1], 1e-3) << i;
     EXPECT_NEAR(static_cast<double>(hits[i].v), wanted->weights[2], 1e-3) << i;
   }
@@ -85,7 +85,7 @@ TEST_F(TraceRays, NearestHitsAreTheReferences) {
   EXPECT_LT(otherSide, 5);
 }
 
-TEST_F(TraceRays, PointsAreSeenAsInTheReference) {
+TEST_F(TraceRays, OcclusionEqualsTheReferences) {
   const auto tree = doubleTree(scene_.bvh);
   for (const vec3 light :
        {vec3(0.1F, 0.0F, 0.2F), vec3(1.5F, 2.0F, -1.0F), vec3(30.0F, 50.0F, 9.0F)}) {
@@ -105,7 +105,7 @@ TEST_F(TraceRays, PointsAreSeenAsInTheReference) {
   }
 }
 
-TEST_F(TraceRays, PacketsFindTheSameToTheBit) {
+TEST_F(TraceRays, PacketsGiveTheSameBits) {
   if (!runsPackets(device_.info())) GTEST_SKIP() << "no subgroups of 8, or no 64-bit integers";
   const std::vector<TestRay> rays = someRays();
   std::vector<vec3> points;

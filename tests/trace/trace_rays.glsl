@@ -1,12 +1,12 @@
-// Rays from memory, hits to memory, by the production traversals. The text before says which query: a
-// workgroup takes 64 rays, or 64 points.
+// Traces rays from memory by the production traversals and stores the hits. The preceding text selects the
+// query. A workgroup takes 64 rays or 64 points.
 #include "trace/surface.glsl"
 
 layout(local_size_x = 64 / R) in;
-// Ray: origin, tmin; direction, tmax. Point: xyz, -.
+// Ray: origin, tmin; direction, tmax. Point: xyz, unused.
 layout(binding = BINDINGS) uniform utextureBuffer inputTexels;
 layout(binding = BINDINGS + 1) writeonly buffer OutputBlock { Stored outputOf[]; };
-// Here Pass holds: region.x the count; core.xyz the light, as bits of floats.
+// Pass is used as: region.x the count; core.xyz the light, as bits of floats.
 
 uint groupNumber() { return gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; }
 uint numberOf(uint r) { return groupNumber() * 64u + gl_LocalInvocationIndex * R + r; }
@@ -68,7 +68,7 @@ void traceRays() {
   writeHits(rays, closest(rays));
 }
 
-// Rays of a workgroup have the origin of its first one.
+// All rays of a workgroup get the origin of its first ray.
 void traceFromOne() {
   Rays rays = readRays();
   if (R != 1u) {

@@ -26,7 +26,7 @@ mode_t modeOf(const std::string& file) {
   return status.st_mode & 07777;
 }
 
-TEST(AtomicFile, MakesANewFileAsTheUmaskSays) {
+TEST(AtomicFile, CreatesAFileWithTheModeOfTheUmask) {
   const TemporaryFolder folder;
   const mode_t mask = umask(027);
   replaceFile(folder.path("a"), bytesOf("new"));
@@ -69,7 +69,7 @@ TEST(AtomicFile, AReaderOfTheOldFileKeepsIt) {
   EXPECT_EQ(text, "old");
 }
 
-TEST(AtomicFile, RefusesWhatIsNoRegularFile) {
+TEST(AtomicFile, ReplacesRegularFilesOnly) {
   const TemporaryFolder folder;
   const auto write = [&](const char* name) { replaceFile(folder.path(name), bytesOf("new")); };
   std::filesystem::create_directory(folder.path("folder"));
@@ -91,7 +91,7 @@ TEST(AtomicFile, NeedsTheFolder) {
               [&] { replaceFile(folder.path("a/b"), bytesOf("new")); });
 }
 
-TEST(AtomicFile, FailsCleanlyWhenTheFolderGoesAwayMeanwhile) {
+TEST(AtomicFile, FailsCleanlyWhenTheFolderIsRemovedMeanwhile) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.path("sub"));
   AtomicFile file(folder.path("sub/a"));
@@ -100,7 +100,7 @@ TEST(AtomicFile, FailsCleanlyWhenTheFolderGoesAwayMeanwhile) {
   expectError(ExitCode::Output, "sub/a\": No such file", [&] { file.commit(); });
 }
 
-TEST(AtomicFile, KeepsTheOldFileWhenAFolderTakesItsPlaceMeanwhile) {
+TEST(AtomicFile, FailsCleanlyWhenAFolderTakesThePlaceMeanwhile) {
   const TemporaryFolder folder;
   AtomicFile file(folder.path("a"));
   file.write(bytesOf("new"));
@@ -108,13 +108,13 @@ TEST(AtomicFile, KeepsTheOldFileWhenAFolderTakesItsPlaceMeanwhile) {
   expectError(ExitCode::Output, "a\": Is a directory", [&] { file.commit(); });
 }
 
-/// Root may write anywhere but where the kernel forbids it to all.
-TEST(AtomicFile, NamesTheReasonOfAFolderThatTakesNoFiles) {
+/// Root may write anywhere except where the kernel forbids it, so the test uses such a folder.
+TEST(AtomicFile, NamesTheReasonIfTheFolderIsNotWritable) {
   expectError(ExitCode::Output,
               "/proc/picture.exr\": ", [] { writeExr("/proc/picture.exr", rgbImage(2, 2)); });
 }
 
-/// A limit on file sizes stands in for a full disk: write() fails half-way in both.
+/// A limit on file sizes simulates a full disk: write() fails half-way in both cases.
 class LimitedFileSize {
  public:
   explicit LimitedFileSize(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -153,7 +153,7 @@ TEST(AtomicFile, KeepsTheOldPictureWhenTheDiskIsFull) {
   EXPECT_EQ(folder.names().size(), 2u);
 }
 
-TEST(CheckReplaceable, SaysEarlyWhatWouldFailLateAndLeavesNothing) {
+TEST(CheckReplaceable, FailsEarlyAndLeavesNothing) {
   const TemporaryFolder folder;
   checkReplaceable(folder.path("a"));
   EXPECT_EQ(folder.names().size(), 0u);

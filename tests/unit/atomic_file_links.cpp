@@ -1,4 +1,4 @@
-// Links at the place of an output, and what killed processes leave.
+// Outputs that are symbolic links, and leftovers of killed processes.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -40,7 +40,7 @@ TEST(AtomicFileLink, StaysAndItsTargetIsReplaced) {
   EXPECT_EQ(folder.names().size(), 3u);
 }
 
-TEST(AtomicFileLink, MakesATargetThatIsNotThere) {
+TEST(AtomicFileLink, CreatesAMissingTarget) {
   const TemporaryFolder folder;
   fs::create_symlink("target", folder.path("link"));
   checkReplaceable(folder.path("link"));
@@ -51,7 +51,7 @@ TEST(AtomicFileLink, MakesATargetThatIsNotThere) {
   EXPECT_EQ(contents(folder.path("target")), "new");
 }
 
-TEST(AtomicFileLink, IsRefusedWhereItsTargetCannotBeReplaced) {
+TEST(AtomicFileLink, IsRefusedIfItsTargetCannotBeReplaced) {
   const TemporaryFolder folder;
   const auto refused = [&](const char* target, const char* reason) {
     fs::remove(folder.path("link"));
@@ -64,7 +64,7 @@ TEST(AtomicFileLink, IsRefusedWhereItsTargetCannotBeReplaced) {
   refused("away/file", "link\": No such file or directory");
 }
 
-/// A process that has begun to replace FOLDER/a and then waits for its end.
+/// A process that has started to replace FOLDER/a and then waits until it is killed.
 class Writer {
  public:
   explicit Writer(const std::string& file) {
@@ -100,7 +100,7 @@ class Writer {
 TEST(AtomicFile, RemovesWhatKilledProcessesLeft) {
   const TemporaryFolder folder;
   std::ofstream(folder.path("a")) << "old";
-  // Not of laver's making, or not as laver makes them.
+  // Files that laver has not created, or whose names have another form.
   std::ofstream(folder.path(".laver-1-2.tmp.bak")) << "keep";
   std::ofstream(folder.path(".laver-1.tmp")) << "keep";
   std::ofstream(folder.path(".laver-x-2.tmp")) << "keep";
@@ -111,15 +111,15 @@ TEST(AtomicFile, RemovesWhatKilledProcessesLeft) {
   Writer writer(folder.path("a"));
   EXPECT_EQ(folder.names().size(), others + 1);
   const AtomicFile mine(folder.path("b"));
-  EXPECT_EQ(folder.names().size(), others + 2);  // that of a process that lives stays
+  EXPECT_EQ(folder.names().size(), others + 2);  // the file of a running process stays
   writer.kill();
   EXPECT_EQ(folder.names().size(), others + 2);
   replaceFile(folder.path("a"), bytesOf("new"));
-  EXPECT_EQ(folder.names().size(), others + 1);  // and so does one's own
+  EXPECT_EQ(folder.names().size(), others + 1);  // and so does this process' own
   EXPECT_EQ(contents(folder.path("a")), "new");
 }
 
-TEST(AtomicFile, IsTheOldOrTheNewOneWheneverItsWriterIsKilled) {
+TEST(AtomicFile, IsTheOldOrTheNewOneWhenItsWriterIsKilled) {
   const TemporaryFolder folder;
   const std::string file = folder.path("a");
   const std::size_t size = 1 << 20;

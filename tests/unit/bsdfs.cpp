@@ -1,4 +1,4 @@
-// The BSDFs' twins in double precision: densities, energy, reciprocity.
+// The reference's BSDFs: densities, energy, reciprocity.
 #include "scene/bsdfs.h"
 
 #include <gtest/gtest.h>
@@ -49,17 +49,17 @@ TEST_P(Bsdfs, ReflectNoMoreThanArrives) {
       const BsdfSample sample =
           bsdf_.row->sample(point(), direction(theta, 0.0), {number(engine), number(engine)});
       EXPECT_NEAR(glm::length(sample.wo), 1.0, 1e-12);
-      // What is refracted keeps its power: radiance grows as its solid angle shrinks.
+      // Refracted light keeps its power: radiance grows as its solid angle shrinks.
       sum += sample.wo.z > 0.0 ? sample.weight : glm::dvec3(1.0);
     }
     EXPECT_LE(std::max({sum.x, sum.y, sum.z}), kDrawn * (1.0 + 1e-12)) << theta;
   }
 }
 
-TEST_P(Bsdfs, DensitiesAreThoseOfTheSamples) {
+TEST_P(Bsdfs, DensitiesMatchTheSamples) {
   if (bsdf_.row->delta) return;  // ADeltaDistributionHasNoValueAndNoDensity
-  // Chi-squared over 8 x 8 cells of equal solid angle, 63 degrees of freedom: beyond 110 by chance
-  // once in 4000 seeds.
+  // Chi-squared over 8 x 8 cells of equal solid angle, 63 degrees of freedom: one seed in 4000
+  // exceeds 110 by chance.
   std::mt19937 engine(11);
   std::uniform_real_distribution<double> number(0.0, 1.0);
   constexpr int kCells = 8, kDrawn = 65536;
@@ -72,7 +72,7 @@ TEST_P(Bsdfs, DensitiesAreThoseOfTheSamples) {
     const int column = std::min(static_cast<int>(turn * kCells), kCells - 1);
     ++seen[static_cast<std::size_t>(row * kCells + column)];
   }
-  constexpr int kSteps = 16;  // of the midpoint rule, a side
+  constexpr int kSteps = 16;  // of the midpoint rule, per side
   for (int row = 0; row < kCells * kSteps; ++row)
     for (int column = 0; column < kCells * kSteps; ++column) {
       const double z = (row + 0.5) / (kCells * kSteps);
@@ -90,7 +90,7 @@ TEST_P(Bsdfs, DensitiesAreThoseOfTheSamples) {
 INSTANTIATE_TEST_SUITE_P(Rows, Bsdfs, testing::ValuesIn(bsdfRows()),
                          [](const auto& instance) { return std::string(instance.param->name); });
 
-TEST(Fresnel, OfGlassHeadOnAndAtTheLimit) {
+TEST(Fresnel, OfGlassAtNormalIncidenceAndAtTheCriticalAngle) {
   EXPECT_NEAR(reference::fresnel(1.0, 1.000277, 1.5046), 0.0405, 5e-5);
   EXPECT_EQ(reference::fresnel(0.3, 1.3, 1.3), 0.0);
   EXPECT_EQ(reference::fresnel(-0.1, 1.0, 1.5), 1.0);  // total reflection

@@ -33,7 +33,7 @@ TEST(Bvh, TheTreeDoesNotDependOnThreads) {
 }
 
 TEST(Bvh, SahCostBeatsMedianHalving) {
-  // A sparse cloud and a dense cluster: halving by count is known to be poor there.
+  // A sparse cloud and a dense cluster, for which halving by count is known to be poor.
   auto triangles = randomTriangles(2000, 0.01F);
   for (std::size_t i = 0; i < 1000; ++i) {
     triangles[i].a = triangles[i].a * 0.01F;

@@ -1,4 +1,4 @@
-// Triangles to build trees of, and what is true of every tree.
+// Triangles for trees, and checks of the trees' invariants.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -33,8 +33,8 @@ inline bool holds(const shared::Child& child, glm::vec3 p) {
   return glm::all(glm::lessThan(child.lo, p)) && glm::all(glm::greaterThan(child.hi, p));
 }
 
-/// Walks the tree: every triangle lies strictly inside all boxes above it, each comes once, leaves
-/// are no larger than the layout allows, and depth and stack are as stated.
+/// Walks the tree and checks that every triangle occurs once and lies strictly inside all boxes
+/// above it, that leaves have at most MAX_LEAF triangles, and that depth and stack are as stated.
 class Walk {
  public:
   explicit Walk(const Bvh& bvh) : bvh_(bvh) {

@@ -25,7 +25,7 @@ TEST(BvhWalk, VisitsEachTriangleOnceInAnyOrder) {
   }
 }
 
-TEST(BvhWalk, LeavesOutWhatIsNotEntered) {
+TEST(BvhWalk, SkipsChildrenThatAreNotEntered) {
   const Bvh bvh = buildBvh(randomTriangles(500, 0.1F), 1);
   const glm::vec3 point(0.3F, -0.2F, 0.5F);
   std::size_t visited = 0;
@@ -38,7 +38,7 @@ TEST(BvhWalk, LeavesOutWhatIsNotEntered) {
   EXPECT_LT(visited, 100U);
 }
 
-TEST(BvhWalk, EndsWhereAVisitSaysSo) {
+TEST(BvhWalk, StopsWhenAVisitReturnsTrue) {
   const Bvh bvh = buildBvh(randomTriangles(500, 0.1F), 1);
   std::size_t visited = 0;
   EXPECT_TRUE(walk(bvh, 0, kAll, [&](const shared::Triangle&) { return ++visited == 7; }));

@@ -1,4 +1,4 @@
-// A chart's figures as JSON and CSV, and which ways to render are charted.
+// The JSON and CSV files of a chart, and its series.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ Chart someChart() {
   return chart;
 }
 
-TEST(ChartJson, HoldsEveryPointAndHowItWasMade) {
+TEST(ChartJson, HoldsEveryPointAndItsCommand) {
   const nlohmann::json json = jsonOf(someChart());
   ASSERT_EQ(json["series"].size(), 2U);
   const auto& points = json["series"][0]["points"];
@@ -47,7 +47,7 @@ TEST(ChartJson, HoldsEveryPointAndHowItWasMade) {
   EXPECT_EQ(json["methods"].size(), 1U);
 }
 
-TEST(ChartCsv, HasALineOfAsManyFieldsForEachPoint) {
+TEST(ChartCsv, HasALineOfTheSameNumberOfFieldsPerPoint) {
   std::istringstream lines(csvOf(someChart()));
   std::size_t count = 0, fields = 0;
   for (std::string line; std::getline(lines, line); ++count) {
@@ -78,7 +78,7 @@ TEST(ChartSeries, EverySamplerIsChartedAndAdaptivelyWhereItCan) {
   EXPECT_TRUE(names.contains("independent, lane"));
   EXPECT_TRUE(names.contains("independent, packet64"));
   EXPECT_TRUE(names.contains("peer"));
-  EXPECT_FALSE(names.contains("independent, packet32"));  // laver's own choice
+  EXPECT_FALSE(names.contains("independent, packet32"));  // laver's choice
   for (const Series& series : seriesFor("lane", {})) EXPECT_EQ(series.traversal, "") << series.name;
 }
 

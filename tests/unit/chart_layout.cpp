@@ -1,4 +1,4 @@
-// The drawing of a chart: readable means that no label lies on another.
+// The drawing of a chart is readable: no label overlaps another.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ std::vector<std::string> fieldsOf(const std::string& line) {
   return fields;
 }
 
-/// A chart from its CSV file, with a triangle test for each form of the methods panel.
+/// A chart from a CSV file, with one method per triangle test added.
 Chart measuredChart(const std::string& file) {
   std::ifstream in(std::string(LAVER_SOURCE_DIR) + "/tests/unit/" + file);
   Chart chart;
@@ -59,7 +59,7 @@ Chart measuredChart(const std::string& file) {
   return chart;
 }
 
-/// All curves in the same few places, with long labels.
+/// Curves whose marks coincide, with long labels.
 Panel crowdedPanel() {
   Panel panel{"A title of one line in plain words",
               "rendering alone, milliseconds",
@@ -77,7 +77,8 @@ Panel crowdedPanel() {
 
 Rect boxOf(const Symbol& symbol) { return {symbol.at - kSymbolRadius, symbol.at + kSymbolRadius}; }
 
-/// Pairs of labels, and of labels and symbols, that overlap, and labels that leave the panel.
+/// Number of overlapping pairs of labels, or of a label and a symbol, and of labels outside the
+/// panel.
 std::size_t faults(const std::vector<Rect>& labels, const std::vector<Symbol>& symbols) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -110,7 +111,7 @@ TEST_P(ChartLayout, NoLabelLiesOnAnotherOrOnASymbolOrOutsideItsPanel) {
     const Layout layout = layoutOf(panel, chart::textWidth);
     EXPECT_EQ(faults(boxesOf(layout), layout.symbols), 0U);
     EXPECT_LE(panel.curves.size(), kMaxCurves);
-    // Title, both axes' names and ticks, and the curves' names are all there, and whole.
+    // Title, axis names, ticks and curve names are all present and complete.
     std::set<std::string> texts;
     for (const Label& label : layout.labels) texts.insert(label.text);
     EXPECT_TRUE(texts.contains(panel.title));
@@ -121,7 +122,7 @@ TEST_P(ChartLayout, NoLabelLiesOnAnotherOrOnASymbolOrOutsideItsPanel) {
   }
 }
 
-TEST_P(ChartLayout, LabelsAlwaysAtTheSameSideWouldOverlap) {
+TEST_P(ChartLayout, LabelsAtAFixedSideWouldOverlap) {
   std::size_t found = 0;
   for (const Panel& panel : figureOf(measuredChart(GetParam())).panels) {
     const Layout layout = layoutOf(panel, chart::textWidth);
@@ -135,11 +136,11 @@ TEST_P(ChartLayout, LabelsAlwaysAtTheSameSideWouldOverlap) {
   EXPECT_GT(found, 10U);
 }
 
-/// Real figures: `laver chart` at 256 x 256 pixels, beside Mitsuba.
+/// Measured by `laver chart` at 256 x 256 pixels, with Mitsuba as peer.
 INSTANTIATE_TEST_SUITE_P(Measured, ChartLayout,
                          testing::Values("chart-bunny-whitted.csv", "chart-cornell.csv"));
 
-TEST(ChartPanel, OfMarksInOnePlaceStillHasNoOverlaps) {
+TEST(ChartPanel, OfCoincidentMarksHasNoOverlaps) {
   const Panel panel = crowdedPanel();
   const Layout layout = layoutOf(panel, chart::textWidth);
   EXPECT_EQ(faults(boxesOf(layout), layout.symbols), 0U);
@@ -158,14 +159,14 @@ TEST(ChartPanel, LabelsMarksThatHaveRoom) {
   EXPECT_EQ(texts, (std::set<std::string>{"1", "4", "16", "64"}));
 }
 
-TEST(ChartPanel, LeavesOutWhatHasNoPlaceOnLogarithmicAxes) {
+TEST(ChartPanel, LeavesOutValuesThatAreNotPositive) {
   Panel panel{"Title", "x", "y", {{"curve", {0, 0, 0}, Shape::Disc, true, {}}}, 0};
   for (const double y : {1.0, 0.0, -1.0, std::nan(""), 0.1})
     panel.curves[0].marks.push_back({1.0, 1.0, 1.0, y, "label"});
   EXPECT_EQ(layoutOf(panel, chart::textWidth).symbols.size(), 1U + 2U);
 }
 
-TEST(ChartPanel, CutsNamesThatAreWiderThanThePanel) {
+TEST(ChartPanel, TruncatesNamesThatAreWiderThanThePanel) {
   Panel panel{
       std::string(200, 'W'), "x", "y", {{std::string(200, 'M'), {}, Shape::Disc, true, {}}}, 0};
   const Layout layout = layoutOf(panel, chart::textWidth);

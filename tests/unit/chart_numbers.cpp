@@ -1,4 +1,4 @@
-// The arithmetic of a chart.
+// The axes of a chart.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,15 +12,6 @@ namespace {
 using namespace chart;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-TEST(ChartNumbers, QuantilesLieBetweenRanks) {
-  EXPECT_EQ(quantile({}, 0.5), 0.0);
-  EXPECT_EQ(quantile({7.0}, 0.25), 7.0);
-  EXPECT_EQ(quantile({3.0, 1.0, 2.0}, 0.5), 2.0);
-  EXPECT_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 0.5), 2.5);
-  EXPECT_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 0.25), 1.75);
-  EXPECT_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 1.0), 4.0);
-}
 
 TEST(ChartNumbers, AxesHoldTheirValuesAndHaveTicks) {
   const double values[] = {0.02, 0.5, 0.0, kNaN, 40.0};

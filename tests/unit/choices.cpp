@@ -21,7 +21,7 @@ DeviceInfo device() {
 Choices chosen(const Scene& scene) { return choose(scene, {}, {}, device()); }
 TraceKey key(const Scene& scene) { return chosen(scene).pictures.front().key; }
 
-TEST(Choices, AStackIsOnlyEverMadeDeeperAndBySteps) {
+TEST(Choices, AStackOnlyGrowsAndInSteps) {
   EXPECT_EQ(stackFor(64, 1), 64U);
   EXPECT_EQ(stackFor(64, 64), 64U);
   EXPECT_EQ(stackFor(64, 65), 80U);
@@ -45,7 +45,7 @@ TEST(Choices, IndicesAreAsSmallAsTheirLargestNumber) {
   scene.meshes.resize(2);
   const auto bytes = [&] { return uploadsOf(scene, {}).indexBytes; };
   EXPECT_EQ(bytes(), 1U);
-  // Number 0 is NO_NORMAL's.
+  // Index 0 is NO_NORMAL.
   scene.meshes[0].normals.resize(200);
   scene.meshes[1].normals.resize(55);
   EXPECT_EQ(bytes(), 1U);
@@ -78,7 +78,7 @@ TEST(Choices, WithoutALightNothingIsTraced) {
   EXPECT_TRUE(hits(integrators::directWhitted));
 }
 
-TEST(Choices, OnlyWhereMissesAreBlackIsTheFilmCutToTheScene) {
+TEST(Choices, TheFilmIsCutToTheSceneOnlyIfMissesAreBlack) {
   Scene scene;
   const auto cut = [&](const IntegratorRow& integrator) {
     scene.integrator = {&integrator};
@@ -87,25 +87,25 @@ TEST(Choices, OnlyWhereMissesAreBlackIsTheFilmCutToTheScene) {
   EXPECT_TRUE(cut(integrators::normals));
   EXPECT_TRUE(cut(integrators::directWhitted));
   EXPECT_FALSE(cut(integrators::averageVisibility));
-  const IntegratorRow silent{.name = "normals"};  // says nothing about misses
+  const IntegratorRow silent{.name = "normals"};  // does not state what a miss shows
   EXPECT_FALSE(cut(silent));
   scene.environment = Environment();
   EXPECT_FALSE(cut(integrators::directWhitted));
   EXPECT_TRUE(cut(integrators::normals));
 }
 
-TEST(Choices, SpheresAreTestedWhereThereAreAnyAndRaysAreTraced) {
+TEST(Choices, SpheresAreTestedIfThereAreAnyAndRaysAreTraced) {
   Scene scene;
   scene.meshes.resize(9);
   EXPECT_FALSE(key(scene).spheres);
   for (Mesh& mesh : scene.meshes) mesh.sphere = Sphere();
   EXPECT_TRUE(key(scene).spheres);
   EXPECT_EQ(key(scene).stack, 16U);
-  scene.integrator = {&integrators::directWhitted};  // without a light
+  scene.integrator = {&integrators::directWhitted};  // the scene has no light
   EXPECT_FALSE(key(scene).spheres);
 }
 
-TEST(Choices, WhatASceneDoesNotNeedIsLeftOut) {
+TEST(Choices, UnusedPartsAreLeftOut) {
   Scene scene;
   scene.meshes.resize(2);
   scene.meshes[0].normals.resize(3);

@@ -1,4 +1,4 @@
-// The command line as text, without running anything.
+// Parsing of the command line, without running a command.
 #include "commands/cli.h"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ TEST(Cli, StatsGoToStandardErrorOrAFile) {
   EXPECT_EQ(commandOf<RenderCommand>("--stats=f.json a.xml").stats, "f.json");
 }
 
-TEST(Cli, TheFirstIntegratorIsTheScenesAndOthersGoBeside) {
+TEST(Cli, TheFirstIntegratorReplacesTheScenesAndOthersAreLayers) {
   const auto command = commandOf<RenderCommand>("--integrator depth,normals,av a.xml");
   ASSERT_TRUE(command.overrides.integrator);
   EXPECT_STREQ(command.overrides.integrator->row->name, "depth");
@@ -70,7 +70,7 @@ TEST(Cli, SizesAndCropsAreNumbers) {
   EXPECT_EQ(command.options.crop->y1, 24);
 }
 
-TEST(Cli, NoGuiWinsWhereverItStands) {
+TEST(Cli, NoGuiWinsInAnyOrder) {
   EXPECT_TRUE(commandOf<RenderCommand>("a.xml --gui").gui);
   for (const char* arguments : {"a.xml --gui -b", "a.xml --nogui --gui", "--no-gui a.xml --gui"})
     EXPECT_FALSE(commandOf<RenderCommand>(arguments).gui) << arguments;
@@ -85,7 +85,7 @@ TEST(Cli, ErrorsSayWhatWasExpected) {
             "--sampler: expected independent, stratified or sobol, not \"halton\"");
   EXPECT_EQ(errorOf("a.xml --integrator depth,halton"),
             "--integrator: expected " + namesOf(integratorRows()) +
-                ", or a file FILE.glsl of one's own, not \"halton\"");
+                ", or a file FILE.glsl, not \"halton\"");
   EXPECT_EQ(errorOf("a.xml --layers id,id"), "--layers: id is named twice");
   EXPECT_EQ(errorOf("a.xml --display-server x:y"),
             "--display-server x:y: expected HOST:PORT or [IPV6]:PORT");

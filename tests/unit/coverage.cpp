@@ -1,4 +1,4 @@
-// Where the film can see the scene.
+// The part of the film whose rays can hit the scene.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,8 +12,8 @@ namespace {
 
 Packed packed(const Scene& scene) { return pack(scene, {}, uploadsOf(scene, {})); }
 
-/// The film position that sees a point of the world, by the definition of Nori's camera; none
-/// behind.
+/// The film position of a point of the world, by the definition of Nori's camera; none if it is
+/// behind the camera.
 std::optional<glm::dvec2> filmPosition(const Camera& camera, glm::dvec3 p) {
   const glm::dvec3 local(glm::inverse(camera.toWorld) * glm::dvec4(p, 1.0));
   if (local.z <= 0.0) return {};
@@ -38,7 +38,7 @@ TEST_P(Sees, EveryPointOfRandomTrianglesThroughRandomCameras) {
   for (int round = 0; round < 200; ++round) {
     Scene scene;
     scene.integrator = {&integrators::normals};
-    // Few triangles at some distance, or many that the camera stands among.
+    // A few triangles at some distance, or many around the camera.
     Mesh& mesh = scene.meshes.emplace_back();
     const double size = std::pow(10.0, -2.0 * unit(random));
     for (unsigned i = 0; i < 1 + random() % 60; ++i) {
@@ -75,7 +75,7 @@ TEST_P(Sees, EveryPointOfRandomTrianglesThroughRandomCameras) {
 
 INSTANTIATE_TEST_SUITE_P(Seed, Sees, testing::Range(0U, 4U));
 
-/// A square at z = 10 whose corners the camera sees at (x0, y0) and (x1, y1) of 100 x 100 pixels.
+/// A square at z = 10 whose corners appear at (x0, y0) and (x1, y1) of 100 x 100 pixels.
 Scene square(double x0, double y0, double x1, double y1) {
   Scene scene;
   scene.camera.width = scene.camera.height = 100;
@@ -95,7 +95,7 @@ TEST(Coverage, OfASquareIsTheSquare) {
   EXPECT_DOUBLE_EQ(seen.share({0, 0, 100, 100}), 41.0 * 21.0 / 1e4);
 }
 
-TEST(Coverage, OfWhatLiesBehindOrBesideIsEmpty) {
+TEST(Coverage, OfASquareBehindOrOutsideTheFilmIsEmpty) {
   Scene scene = square(20, 20, 60, 60);
   scene.camera.toWorld[2] = {0.0, 0.0, -1.0, 0.0};
   EXPECT_EQ(coverageOf(packed(scene)).share({0, 0, 100, 100}), 0.0);
@@ -106,7 +106,7 @@ TEST(Coverage, OfAFloorUnderTheCameraEndsAtItsFarEdge) {
   Scene scene = square(0, 0, 1, 1);
   scene.meshes[0].positions = {{-50, -1, -50}, {50, -1, -50}, {50, -1, 50}, {-50, -1, 50}};
   const Coverage seen = coverageOf(packed(scene));
-  // The far edge is seen at y = 51.
+  // The far edge appears at y = 51.
   EXPECT_EQ(seen.share({0, 0, 100, 50}), 0.0);
   EXPECT_EQ(seen.share({0, 51, 100, 100}), 1.0);
 }
@@ -129,7 +129,7 @@ bool covers(const std::vector<Crop>& parts, const Coverage& seen, const Crop& ar
   return true;
 }
 
-TEST(CoverageParts, HoldAllThatIsSeenOnceForAnyCosts) {
+TEST(CoverageParts, CoverEveryVisiblePixelOnceForAnyCosts) {
   std::mt19937 random(1);
   for (int round = 0; round < 100; ++round) {
     Coverage seen(120, 400);
@@ -151,7 +151,7 @@ TEST(CoverageParts, HoldAllThatIsSeenOnceForAnyCosts) {
   }
 }
 
-TEST(CoverageParts, AreFewWhereTheyAreDearAndTightWhereNot) {
+TEST(CoverageParts, AreFewIfTheyAreExpensiveAndTightIfNot) {
   Coverage seen(80, 40);
   seen.add({0, 2, 8, 10});
   seen.add({64, 20, 80, 33});

@@ -43,7 +43,7 @@ std::vector<DeviceInfo> several() {
   return devices;
 }
 
-TEST(ChooseDevice, TakesTheBestKindThatCanBeUsed) {
+TEST(ChooseDevice, TakesTheBestUsableKind) {
   auto devices = several();
   EXPECT_EQ(chooseDevice(devices, ""), 4u);
   devices.resize(4);
@@ -60,7 +60,7 @@ TEST(ChooseDevice, TakesIndexNameOrCpu) {
   EXPECT_EQ(chooseDevice(devices, "CPU"), 0u);
 }
 
-TEST(ChooseDevice, SaysWhyThereIsNone) {
+TEST(ChooseDevice, ExplainsWhyThereIsNone) {
   const auto refusal = [](const std::vector<DeviceInfo>& devices, const char* wanted) {
     try {
       chooseDevice(devices, wanted);
@@ -82,7 +82,7 @@ TEST(ChooseDevice, SaysWhyThereIsNone) {
   EXPECT_EQ(refusal({}, ""), "no Vulkan device found (is a driver there?)");
 }
 
-TEST(DescribeDevice, ListsWhatLaverDependsOn) {
+TEST(DescribeDevice, ListsTheLimitsThatLaverDependsOn) {
   EXPECT_EQ(describe(several()[4], 4, true),
             "4: Radeon A (default)\n"
             "   type                      discrete GPU\n"
@@ -97,7 +97,7 @@ TEST(DescribeDevice, ListsWhatLaverDependsOn) {
             "   memory heaps              8192 MiB device-local, 256 MiB\n");
 }
 
-TEST(DescribeDevice, TellsTheTraversal) {
+TEST(DescribeDevice, NamesTheTraversal) {
   DeviceInfo info = several()[0];
   const auto runs = [&](const char* name) {
     return describe(info, 0, false).find(std::string("traversal                 ") + name) !=
@@ -113,7 +113,7 @@ TEST(DescribeDevice, TellsTheTraversal) {
   EXPECT_TRUE(runs("lane"));
 }
 
-TEST(DescribeDevice, SaysWhyItCannotBeUsed) {
+TEST(DescribeDevice, ExplainsWhyItCannotBeUsed) {
   EXPECT_EQ(describe(several()[1], 1, false),
             "1: Old One\n"
             "   cannot be used            its Vulkan is older than 1.1\n"

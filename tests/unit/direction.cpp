@@ -1,4 +1,4 @@
-// The kernels' directions on a hemisphere, compiled as C++: the same text that the shaders include.
+// The kernels' directions on a hemisphere, compiled as C++ from the same text.
 #include "shared/direction.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ vec2 numbers(int i, int j) {
   return (vec2(static_cast<float>(i), static_cast<float>(j)) + 0.5F) / static_cast<float>(kSide);
 }
 
-/// The mean direction of a hemisphere around `normal` and the mean square of its cosine.
+/// Checks the mean direction of a hemisphere around `normal` and the mean square of its cosine.
 template <class Direction>
 void expectMoments(vec3 normal, const Direction& direction, double mean, double square) {
   glm::dvec3 sum(0.0);
@@ -44,7 +44,8 @@ void expectMoments(vec3 normal, const Direction& direction, double mean, double 
       squares += cosine * cosine;
     }
   const double count = kSide * kSide;
-  // The grid's midpoints miss the mean by its step squared, 4e-6, and a little more at the edge.
+  // Midpoints of the grid miss the mean by the square of the step, 4e-6, and a little more at the
+  // edge.
   EXPECT_LT(glm::length(sum / count - mean * glm::dvec3(normal)), 5e-5);
   EXPECT_NEAR(squares / count, square, 5e-5);
 }
@@ -59,8 +60,8 @@ TEST(Direction, CosineHemisphereHasItsMoments) {
   for (const vec3 n : kNormals) expectMoments(n, cosineDirection, 2.0 / 3.0, 0.5);
 }
 
-TEST(Direction, ASmallTurnOfTheNormalTurnsTheDirectionLittle) {
-  // Within one float's rounding of an axis on all sides, where frames of tangents would jump.
+TEST(Direction, IsContinuousInTheNormal) {
+  // Within an ulp of an axis on all sides, where tangent frames would jump.
   for (const float e : {-1e-7F, 0.0F, 1e-7F})
     for (int i = 0; i < kSide; i += 7)
       for (int j = 0; j < kSide; j += 7) {

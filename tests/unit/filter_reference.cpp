@@ -64,7 +64,7 @@ TEST(ReferenceFilter, Tent) {
   EXPECT_EQ(weights(2.0), 0.0);
 }
 
-TEST(ReferenceFilter, BoxHoldsItsBorder) {
+TEST(ReferenceFilter, BoxIncludesItsBorder) {
   const FilterWeights weights(filterOf(&filters::box, 0.5), false);
   EXPECT_EQ(weights(0.0), 1.0);
   EXPECT_EQ(weights(0.5), 1.0);

@@ -1,4 +1,4 @@
-// XXH3 as the project uses it.
+// XXH3 as laver uses it.
 #include "core/hash.h"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ std::string hashOfParts(const std::vector<std::string>& parts) {
   return hash.text();
 }
 
-TEST(Hash, DependsOnEveryByteAndOnHowTheyAreDivided) {
+TEST(Hash, DependsOnEveryByteAndOnTheirDivision) {
   EXPECT_EQ(hashOfParts({"ab", "c"}), hashOfParts({"ab", "c"}));
   EXPECT_NE(hashOfParts({"ab", "c"}), hashOfParts({"a", "bc"}));
   EXPECT_NE(hashOfParts({"ab", "c"}), hashOfParts({"ab", "d"}));
@@ -24,7 +24,7 @@ TEST(Hash, DependsOnEveryByteAndOnHowTheyAreDivided) {
 
 TEST(Hash, OfAFileIsXxh3OfItsBytes) {
   const SceneFiles files;
-  EXPECT_EQ(hashOfFile(files.write("empty", "")), "2d06800538d394c2");  // as the specification says
+  EXPECT_EQ(hashOfFile(files.write("empty", "")), "2d06800538d394c2");  // from the specification
   const std::string text(200000, 'x');
   EXPECT_EQ(hashOfFile(files.write("long", text)),
             fmt::format("{:016x}", hashOf(std::as_bytes(std::span(text)))));

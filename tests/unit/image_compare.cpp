@@ -16,7 +16,7 @@ ChannelDifference compareOne(std::vector<float> a, std::vector<float> b, double 
   return compare(row({"Y"}, std::move(a)), row({"Y"}, std::move(b)), tolerance).at(0);
 }
 
-TEST(Compare, MatchesFiguresWorkedOutByHand) {
+TEST(Compare, MatchesValuesComputedByHand) {
   // Differences 0, 3, -4, 0 against references 1, 1, 10, 0.
   const ChannelDifference d = compareOne({1, 4, 6, 0}, {1, 1, 10, 0}, 3.0);
   EXPECT_EQ(d.channel, "Y");
@@ -24,7 +24,7 @@ TEST(Compare, MatchesFiguresWorkedOutByHand) {
   EXPECT_DOUBLE_EQ(d.relativeMse, (9.0 / 1.01 + 16.0 / 100.01) / 4.0);
   EXPECT_EQ(d.maximum, 4.0);
   EXPECT_EQ(d.percentile999, 4.0);
-  EXPECT_EQ(d.share, 0.25);  // 3 is not beyond 3
+  EXPECT_EQ(d.share, 0.25);  // 3 does not exceed 3
 }
 
 TEST(Compare, IsExactInDouble) {
@@ -63,7 +63,7 @@ TEST(Compare, MatchesChannelsByName) {
   EXPECT_EQ(d[2].maximum, 0.0);
 }
 
-TEST(Compare, TakesNotFiniteAlikeAsEqual) {
+TEST(Compare, EqualNonFiniteValuesHaveDistanceZero) {
   const std::vector<float> odd = {kNan, kInfinity, -kInfinity, -0.0f};
   const ChannelDifference d = compareOne(odd, {kNan, kInfinity, -kInfinity, 0.0f}, 0.0);
   EXPECT_EQ(d.rmse, 0.0);
@@ -73,7 +73,7 @@ TEST(Compare, TakesNotFiniteAlikeAsEqual) {
   EXPECT_EQ(d.share, 0.0);
 }
 
-TEST(Compare, TakesNotFiniteUnlikeAsEndless) {
+TEST(Compare, DifferentNonFiniteValuesHaveDistanceInfinity) {
   const std::vector<std::vector<float>> pairs = {
       {kNan, 1},        {1, kNan}, {kInfinity, 1}, {1, -kInfinity}, {kInfinity, -kInfinity},
       {kNan, kInfinity}};

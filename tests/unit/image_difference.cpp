@@ -14,7 +14,7 @@ namespace {
 
 constexpr Rgb8 kBlack = {0, 0, 0}, kMagenta = {255, 0, 255};
 
-/// Rec. 709 luma: what makes a map readable in grey.
+/// Rec. 709 luma, by which a colour map is readable in grey.
 double luma(Rgb8 c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
 
 TEST(Difference, IsSignedAndMatchesChannelsByName) {
@@ -26,7 +26,7 @@ TEST(Difference, IsSignedAndMatchesChannelsByName) {
   EXPECT_EQ(largestDistances(a, b), (std::vector<double>{0.5, 7}));
 }
 
-TEST(Difference, OfWhatIsNotFinite) {
+TEST(Difference, OfNonFiniteValues) {
   const Image a = row({"Y"}, {kNan, kInfinity, kInfinity, 1, kNan});
   const Image b = row({"Y"}, {kNan, kInfinity, -kInfinity, kInfinity, 1});
   const Image d = difference(a, b);
@@ -46,7 +46,7 @@ TEST(Difference, RefusesPicturesThatDoNotMatch) {
   expectError(ExitCode::Usage, "differ in channels", [&] { largestDistances(a, b); });
 }
 
-TEST(FalseColour, TellsEqualFromAlmostEqualAndFromNotFinite) {
+TEST(FalseColour, DistinguishesEqualAlmostEqualAndNotFinite) {
   const LogScale scale;
   EXPECT_EQ(falseColour(0.0, scale), kBlack);
   EXPECT_EQ(falseColour(-0.0, scale), kBlack);
@@ -55,7 +55,7 @@ TEST(FalseColour, TellsEqualFromAlmostEqualAndFromNotFinite) {
   EXPECT_EQ(falseColour(1e300, scale), (Rgb8{253, 231, 37}));
 }
 
-TEST(FalseColour, GrowsBrighterWithEveryQuarterOfADecade) {
+TEST(FalseColour, GetsBrighterWithEveryQuarterOfADecade) {
   const LogScale scale;
   double last = -1.0;
   for (double e = -8.0; e <= 0.0; e += 0.25) {
@@ -65,7 +65,7 @@ TEST(FalseColour, GrowsBrighterWithEveryQuarterOfADecade) {
   }
 }
 
-TEST(FalseColour, ScaleIsFixedUnlessADistanceIsBeyondIt) {
+TEST(FalseColour, ScaleIsFixedUnlessADistanceExceedsIt) {
   const auto high = [](std::vector<double> distances) { return scaleFor(distances).high; };
   EXPECT_EQ(high({0, 1e-7}), 0);
   EXPECT_EQ(high({kEndless, 1.0}), 0);
@@ -74,7 +74,7 @@ TEST(FalseColour, ScaleIsFixedUnlessADistanceIsBeyondIt) {
   EXPECT_EQ(scaleFor(std::vector<double>{2500}).low, -8);
 }
 
-TEST(DrawDistances, ShowsThePictureAndBesideItTheScale) {
+TEST(DrawDistances, ShowsThePictureAndTheScale) {
   for (const auto& [width, height] : {std::pair(3, 2), std::pair(40, 600), std::pair(1000, 1)}) {
     std::vector<double> distances(static_cast<std::size_t>(width * height), 1e-6);
     distances[0] = 0.0;
@@ -87,8 +87,8 @@ TEST(DrawDistances, ShowsThePictureAndBesideItTheScale) {
     EXPECT_EQ(bitmap.at(width - 1, height - 1), falseColour(1e-2, scale));
     EXPECT_EQ(bitmap.at(2, 0), falseColour(1e-6, scale));
 
-    // Down the middle of the scale: every decade's colour from 1 to 10^-8 in order, then "0",
-    // "inf".
+    // Along the middle of the scale, from the top: the colour of every decade from 1 to 10^-8, then
+    // "0" and "inf".
     std::vector<Rgb8> expected;
     for (int e = scale.high; e >= scale.low; --e)
       expected.push_back(falseColour(std::pow(10, e), scale));
@@ -114,7 +114,7 @@ TEST(DrawText, DrawsDotsInsideItsBox) {
   // The dash of "-" is 5 dots in the fourth row of the third glyph.
   for (int x = 0; x < 15; ++x) EXPECT_EQ(bitmap.at(1 + 2 * 18 + x, 1 + 3 * 3), ink) << x;
   EXPECT_EQ(bitmap.at(1 + 2 * 18, 1), paper);
-  // No two characters look alike.
+  // No two characters look the same.
   std::vector<std::vector<Rgb8>> pictures;
   for (const char c : std::string("0123456789e-inf ")) {
     Bitmap one(textWidth("0", 1), textHeight(1), paper);

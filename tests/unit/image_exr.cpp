@@ -64,7 +64,7 @@ TEST(Exr, KeepsEveryBitOfEveryKindOfFloat) {
 }
 
 TEST(Exr, KeepsEveryBitAcrossChunksAndThreads) {
-  // Smooth rows that deflate, and noise that does not and is stored; the last chunk is cut short.
+  // Smooth rows that deflate, and noise that does not and is stored; the last chunk has fewer rows.
   const TemporaryFolder folder;
   Image image = rgbImage(37, 1500);
   std::uint32_t noise = 1;
@@ -170,7 +170,7 @@ TEST(Exr, KeepsLayersAndOrdersColoursFirst) {
   EXPECT_EQ(back.pixels, (std::vector<float>{6, 9, 3, 7, 2, 4, 1, 8, 5}));
 }
 
-TEST(Exr, SaysInOneLineWhyAFileCannotBeRead) {
+TEST(Exr, ExplainsInOneLineWhyAFileCannotBeRead) {
   const TemporaryFolder folder;
   const std::string missing = folder.path("missing.exr");
   expectError(ExitCode::Usage, "missing.exr\": No such file", [&] { readExr(missing); });
@@ -188,7 +188,7 @@ TEST(Exr, SaysInOneLineWhyAFileCannotBeRead) {
   expectError(ExitCode::Usage, "cut.exr", [&] { readExr(folder.path("cut.exr")); });
 }
 
-TEST(Exr, RefusesWhatIsNoPictureOrNoAttribute) {
+TEST(Exr, RefusesInvalidImagesAndAttributes) {
   const TemporaryFolder folder;
   const std::string file = folder.path("a.exr");
   Image image = rgbImage(2, 2);

@@ -53,8 +53,8 @@ TEST(Srgb, InvertsTheDecodingOfEveryByte) {
 
 TEST(Srgb, TheTableEqualsTheFormula) {
   const SrgbTable& table = SrgbTable::shared();
-  // Every 509th float from below 2^-13 to above 1 (a prime: it meets all low bits), and all around
-  // each step of the curve.
+  // Every 509th float from below 2^-13 to above 1 (a prime, so all low bits occur), and all floats
+  // around each step of the curve.
   std::uint32_t steps = 0;
   const auto end = std::bit_cast<std::uint32_t>(1.25f);
   for (auto bits = std::bit_cast<std::uint32_t>(1e-4f); bits < end; bits += 509) {
@@ -97,7 +97,7 @@ TEST(Png, HoldsTheBytesRowByRowFromTheTop) {
                                               0, 188, 0, 0, 0, 118, 0, 0, 0}));
 }
 
-TEST(Png, SaysThatItIsSrgbWithEightBits) {
+TEST(Png, IsMarkedAsSrgbWithEightBits) {
   const TemporaryFolder folder;
   writePng(folder.path("a.png"), rgbImage(2, 2));
   const std::string bytes = contents(folder.path("a.png"));
@@ -107,7 +107,7 @@ TEST(Png, SaysThatItIsSrgbWithEightBits) {
   EXPECT_EQ(bytes[25], 2);  // truecolour
 }
 
-TEST(Png, RefusesWhatIsNoRgbPicture) {
+TEST(Png, RefusesImagesWithoutRgb) {
   const TemporaryFolder folder;
   Image image = rgbImage(2, 2);
   image.channels[1] = "Y";

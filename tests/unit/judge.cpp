@@ -1,4 +1,4 @@
-// What rounding explains, and what it does not.
+// Differences that rounding explains, and others.
 #include "lab/explain/judge.h"
 
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@ namespace {
 
 using glm::dvec2;
 
-/// A square of half-width 1 at z = 4, seen from 0, with an edge at film position 96 of 128. Its
-/// half up to 64 lies in the shadow of another square, which is not seen.
+/// A square of half-width 1 at z = 4, seen from 0, with an edge at film position 96 of 128. The
+/// part up to 64 lies in the shadow of another square, which is outside the film.
 Scene halfLitSquare() {
   const auto square = [](double x0, double x1, double z) {
     Mesh mesh;
@@ -63,7 +63,7 @@ TEST(Judge, AnotherValueIsExplainedNearTheBorderOfAShadowOnly) {
   }
 }
 
-TEST(Judge, LooksAtEveryChannel) {
+TEST(Judge, ConsidersEveryChannel) {
   Scene scene = halfLitSquare();
   scene.integrator = {&integrators::albedo};
   const dvec2 edge(96.0, 50.0);

@@ -5,7 +5,7 @@
 namespace laver::test {
 namespace {
 
-TEST(Numeric, UlpsAreThoseOfTheTruth) {
+TEST(Numeric, UlpsAreRelativeToTheTruth) {
   EXPECT_EQ(ulpOf(1.0), 0x1p-23);
   EXPECT_EQ(ulpOf(-1.5), 0x1p-23);
   EXPECT_EQ(ulpOf(2.0), 0x1p-22);

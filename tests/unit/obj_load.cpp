@@ -47,7 +47,7 @@ TEST(ObjLoad, VerticesAreJoinedInTheOrderOfUse) {
   EXPECT_TRUE(data.normals.empty());
 }
 
-TEST(ObjLoad, VerticesWithOtherNormalsStayApart) {
+TEST(ObjLoad, VerticesWithDifferentNormalsAreNotJoined) {
   const auto data = parsed(kPoints + "vn 0 0 1\nvn 0 1 0\nf 1//1 2//1 3//1\nf 1//2 2//1 4//1\n");
   EXPECT_EQ(data.triangles, (Triangles{{0, 1, 2}, {3, 1, 4}}));
   EXPECT_EQ(data.normals.at(3), glm::dvec3(0, 1, 0));

@@ -33,7 +33,7 @@ TEST(ObjToWorld, NormalsUseTheInverseTransposeAndHaveUnitLength) {
   EXPECT_EQ(mesh.normals[2], glm::dvec3(0));
 }
 
-TEST(ObjToWorld, MirroringTurnsNormalsButNotTheWinding) {
+TEST(ObjToWorld, MirroringChangesNormalsButNotTheWinding) {
   obj::ObjData data = triangle();
   data.normals = {{1, 0, 0}, {1, 1, 0}, {0, 0, 1}};
   const Mesh mesh = transformed(data, glm::scale(glm::dmat4(1), glm::dvec3(-1, 1, 1)));

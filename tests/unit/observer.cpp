@@ -28,7 +28,7 @@ struct Notes : Observer {
   bool ends_;
 };
 
-TEST(Observers, AllAreToldOfRowsOfTheFirstPictureAndOfAllProgress) {
+TEST(Observers, AllReceiveRowsOfTheFirstPictureAndAllProgress) {
   Notes a, b;
   Observers observers({&a, &b});
   const Image picture = rgbImage(2, 2);
@@ -44,13 +44,13 @@ TEST(Observers, AllAreToldOfRowsOfTheFirstPictureAndOfAllProgress) {
   EXPECT_EQ(b.text, a.text);
 }
 
-TEST(Observers, OneEndsTheRender) {
+TEST(Observers, OneCanStopTheRender) {
   Notes goesOn, ends(0.0, true);
   EXPECT_FALSE(Observers({&goesOn}).stop());
   EXPECT_TRUE(Observers({&goesOn, &ends}).stop());
 }
 
-TEST(Observers, UnfinishedRowsAreDueWhereOneHasTimeForThem) {
+TEST(Observers, UnfinishedRowsAreDueIfAnObserverHasTimeForThem) {
   Notes none, always(std::numeric_limits<double>::infinity());
   EXPECT_FALSE(Observers({}).due());
   EXPECT_FALSE(Observers({&none}).due());

@@ -1,4 +1,4 @@
-// Pictures for textures: every kind of PNG, JPEG and EXR that is read, and what is refused.
+// Images for textures: every supported kind of PNG, JPEG and EXR, and refused files.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -69,7 +69,7 @@ TEST(PictureRead, SixteenBitsAreLinearFloatsByTheCurveOrRaw) {
 }
 
 TEST(PictureRead, JpegInColourAndGrey) {
-  // One colour a picture survives the cosine transform to a step.
+  // An image of one colour survives the cosine transform to within a step.
   const auto close = [](const Rgb8& a, const Rgb8& b) {
     for (std::size_t c = 0; c < 3; ++c)
       if (std::abs(a[c] - b[c]) > 2) return false;
@@ -153,17 +153,17 @@ TEST(PictureRead, DamagedBytesAreAReasonOrAPicture) {
       EXPECT_EQ(error.code(), ExitCode::Usage);
     }
   }
-  EXPECT_GT(refused, static_cast<int>(whole.size()) / 2);  // checksums tell
+  EXPECT_GT(refused, static_cast<int>(whole.size()) / 2);  // by their checksums
 }
 
-TEST(PictureRead, AHugeSizeIsRefusedBeforeItIsBelieved) {
+TEST(PictureRead, AHugeSizeIsRefusedBeforeMemoryIsAllocated) {
   EXPECT_NO_THROW(checkPictureSize(65536, 2048));
   EXPECT_THROW(checkPictureSize(65537, 1), std::runtime_error);
   EXPECT_THROW(checkPictureSize(16384, 8193), std::runtime_error);
   EXPECT_THROW(checkPictureSize(0, 5), std::runtime_error);
 }
 
-TEST(PictureRead, WhatIsNoPicture) {
+TEST(PictureRead, OtherFilesAreRefused) {
   const TemporaryFolder folder;
   expectError(ExitCode::Usage, "neither PNG, JPEG nor OpenEXR", [] { read("hello"); });
   expectError(ExitCode::Usage, "neither PNG, JPEG nor OpenEXR", [] { read(""); });

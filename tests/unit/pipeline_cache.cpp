@@ -25,7 +25,7 @@ VkPhysicalDeviceProperties device() {
   return properties;
 }
 
-/// A cache as that device's driver would make it, with some pipelines.
+/// A cache as the driver of that device would write it, with some pipelines.
 Bytes pipelines(std::size_t count = 1000) {
   VkPipelineCacheHeaderVersionOne header{};
   header.headerSize = sizeof header;
@@ -43,7 +43,7 @@ void replace(const std::string& file, const std::string& text) {
   std::ofstream(file, std::ios::binary | std::ios::trunc) << text;
 }
 
-TEST(CacheFile, GivesBackWhatWasWritten) {
+TEST(CacheFile, ReturnsWhatWasWritten) {
   const TemporaryFolder folder;
   const CacheFile file(folder.path("new/laver"), device());
   EXPECT_EQ(file.read(), Bytes());
@@ -51,12 +51,12 @@ TEST(CacheFile, GivesBackWhatWasWritten) {
   EXPECT_EQ(CacheFile(folder.path("new/laver"), device()).read(), pipelines());
   file.write(pipelines(5000));
   EXPECT_EQ(file.read(), pipelines(5000));
-  // The file alone, and nobody else's business.
+  // The folder holds only that file, and only its owner has access.
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path("new/laver")), {}), 1);
   EXPECT_EQ(fs::status(folder.path("new/laver")).permissions(), fs::perms::owner_all);
 }
 
-TEST(CacheFile, EveryFlippedBitIsNoticed) {
+TEST(CacheFile, EveryFlippedBitIsDetected) {
   const TemporaryFolder folder;
   const CacheFile file(folder.path("laver"), device());
   file.write(pipelines());
@@ -71,7 +71,7 @@ TEST(CacheFile, EveryFlippedBitIsNoticed) {
   EXPECT_EQ(file.read(), pipelines());
 }
 
-TEST(CacheFile, AFileCutShortOrTooLongIsNoticed) {
+TEST(CacheFile, ATruncatedOrTooLongFileIsDetected) {
   const TemporaryFolder folder;
   const CacheFile file(folder.path("laver"), device());
   file.write(pipelines(100));
@@ -85,7 +85,7 @@ TEST(CacheFile, AFileCutShortOrTooLongIsNoticed) {
   fs::remove(file.path());
   fs::create_directory(file.path());
   EXPECT_EQ(file.read(), Bytes());
-  file.write(pipelines());  // nothing happens
+  file.write(pipelines());  // does nothing
 }
 
 TEST(CacheFile, OtherDriversHaveOtherFilesAndTheirDataAreRefused) {
@@ -101,7 +101,7 @@ TEST(CacheFile, OtherDriversHaveOtherFilesAndTheirDataAreRefused) {
     const CacheFile foreign(folder.path("laver"), other);
     EXPECT_NE(foreign.path(), file.path());
     EXPECT_EQ(foreign.read(), Bytes());
-    // Its name alone is not believed; the driver's version stands nowhere else.
+    // The header is checked, not only the name; the driver's version is only in the name.
     if (what == 2) continue;
     fs::copy_file(file.path(), foreign.path());
     EXPECT_EQ(foreign.read(), Bytes());
@@ -119,7 +119,7 @@ TEST(CacheFile, EmptyCachesAreNotWritten) {
   EXPECT_EQ(folder.names().size(), 0U);
 }
 
-TEST(CacheFile, AFolderThatCannotBeIsAsGoodAsNone) {
+TEST(CacheFile, AnImpossibleFolderCountsAsNone) {
   const TemporaryFolder folder;
   replace(folder.path("file"), "no folder");
   for (const std::string& place : {std::string(), folder.path("file"), folder.path("file/laver"),
@@ -130,7 +130,7 @@ TEST(CacheFile, AFolderThatCannotBeIsAsGoodAsNone) {
   }
 }
 
-TEST(CacheFile, ItsFolderIsTheOneOfTheVariables) {
+TEST(CacheFile, ItsFolderFollowsTheEnvironment) {
   const auto set = [](const char* name, const char* value) {
     value == nullptr ? ::unsetenv(name) : ::setenv(name, value, 1);
   };
@@ -145,7 +145,7 @@ TEST(CacheFile, ItsFolderIsTheOneOfTheVariables) {
   EXPECT_EQ(folder("/c", "/h"), "/c/laver");
   EXPECT_EQ(folder(nullptr, "/h"), "/h/.cache/laver");
   EXPECT_EQ(folder("", "/h"), "/h/.cache/laver");
-  EXPECT_EQ(folder("relative", "/h"), "/h/.cache/laver");  // as the XDG specification says
+  EXPECT_EQ(folder("relative", "/h"), "/h/.cache/laver");  // by the XDG specification
   EXPECT_EQ(folder(nullptr, nullptr), "");
   EXPECT_EQ(folder(nullptr, "relative"), "");
   set("XDG_CACHE_HOME", oldCache == nullptr ? nullptr : cache.c_str());

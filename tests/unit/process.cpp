@@ -10,8 +10,8 @@
 namespace laver::test {
 namespace {
 
-/// In a process without the standard descriptors of `closed`: 0 if files opened after
-/// prepareProcess() take none of their places, and nothing can be written there.
+/// Runs a process without the standard descriptors in `closed`. Returns 0 if no file opened after
+/// prepareProcess() gets one of their numbers, and writing to them fails.
 int withoutDescriptors(std::initializer_list<int> closed) {
   const pid_t process = fork();
   if (process == 0) {
@@ -27,7 +27,7 @@ int withoutDescriptors(std::initializer_list<int> closed) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-TEST(StandardDescriptors, AreOccupiedWhereTheyAreClosed) {
+TEST(StandardDescriptors, AreOccupiedIfTheyAreClosed) {
   EXPECT_EQ(withoutDescriptors({}), 0);
   EXPECT_EQ(withoutDescriptors({1}), 0);
   EXPECT_EQ(withoutDescriptors({0, 2}), 0);

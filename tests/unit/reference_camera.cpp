@@ -66,7 +66,7 @@ TEST(ReferenceCamera, OriginIsDividedByW) {
   expectNear(View(camera, glm::dvec3(0)).through({0, 0}).ray.origin, {1, 2, 3});
 }
 
-// A plane one unit before the camera, seen at the film's centre and near its corner.
+// A plane one unit in front of the camera, seen at the film's centre and near its corner.
 class ReferenceClipping : public testing::Test {
  protected:
   ReferenceClipping() {

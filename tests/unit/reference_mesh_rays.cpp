@@ -38,14 +38,14 @@ TEST(ReferenceMeshRays, ClosedMeshHasNoLeakFromOutside) {
     const glm::dvec3 a = mesh.positions[t.x], b = mesh.positions[t.y];
     const glm::dvec3 aim = i % 2 ? a : glm::mix(a, b, random.number(0, 1));
     const glm::dvec3 origin = random.point(i % 5 ? 4 : 400);
-    // A line that comes from outside and enters the sphere of radius 0.8 crosses the surface
+    // A line from outside that enters the sphere of radius 0.8 must have crossed the surface
     // before.
-    const glm::dvec3 way = glm::normalize(aim - origin);
-    const double nearest = -glm::dot(origin, way);
+    const glm::dvec3 direction = glm::normalize(aim - origin);
+    const double nearest = -glm::dot(origin, direction);
     const double inside = 0.64 - glm::dot(origin, origin) + nearest * nearest;
     if (glm::length(origin) < 2 || inside <= 0) continue;
     ++aimed;
-    const auto hit = tree.closest({origin, way}, 0.0, 1e20);
+    const auto hit = tree.closest({origin, direction}, 0.0, 1e20);
     misses += !hit || hit->t > nearest - std::sqrt(inside);
   }
   EXPECT_GT(aimed, 3000);

@@ -1,4 +1,4 @@
-// Average visibility and ambient occlusion of the reference against what geometry gives.
+// Average visibility and ambient occlusion of the reference against analytic values.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// A floor with a square plate of half-width 1 over its origin, seen from between the two.
+/// A floor with a square plate of half-width 1 over its origin; the camera is between the two.
 Scene underPlate(const IntegratorRow& integrator, double height) {
   Scene scene;
   scene.integrator = {&integrator};
@@ -19,7 +19,7 @@ Scene underPlate(const IntegratorRow& integrator, double height) {
   return scene;
 }
 
-/// Mean radiance of the floor's origin over a grid of numbers.
+/// Mean radiance at the floor's origin over a grid of random numbers.
 double meanAt(const Scene& scene) {
   const Reference reference(scene);
   const glm::dvec2 film = filmOf(scene.camera, {0, 0, 0});
@@ -31,8 +31,8 @@ double meanAt(const Scene& scene) {
   return sum / (side * side);
 }
 
-// Cells of the grid that the plate's border crosses: some 4 * 400 of 160,000, half of them wrong by
-// chance at worst.
+// The border of the plate crosses about 4 * 400 of the grid's 160,000 cells, half of which may be
+// wrong.
 constexpr double kTolerance = 2e-3;
 
 TEST(ReferenceOcclusion, AverageVisibilityIsTheShareOfTheSolidAngle) {
@@ -55,16 +55,16 @@ TEST(ReferenceOcclusion, AverageVisibilityEndsAtItsLength) {
   Scene scene = underPlate(integrators::averageVisibility, 0.5);
   scene.integrator.set("length", 0.499);
   EXPECT_EQ(meanAt(scene), 1.0);
-  // Directions with a cosine above h / length meet the plate, all of them inside its border.
+  // Directions with a cosine above h / length hit the plate inside its border.
   scene.integrator.set("length", 0.8);
   EXPECT_NEAR(meanAt(scene), 0.5 / 0.8, kTolerance);
 }
 
-TEST(ReferenceOcclusion, AMissIsVisibleAndNotOpen) {
+TEST(ReferenceOcclusion, AMissIsOneForAvAndZeroForAo) {
   const Scene av = underPlate(integrators::averageVisibility, 1);
   const Scene ao = underPlate(integrators::ambientOcclusion, 1);
   Scene away = av;
-  away.camera.toWorld[2] = -away.camera.toWorld[2];  // up, with the plate out of the way
+  away.camera.toWorld[2] = -away.camera.toWorld[2];  // up, away from the plate
   away.meshes.pop_back();
   EXPECT_EQ(Reference(away).radiance({32, 32}), glm::dvec3(1));
   away.integrator = ao.integrator;
@@ -72,7 +72,7 @@ TEST(ReferenceOcclusion, AMissIsVisibleAndNotOpen) {
 }
 
 TEST(ReferenceOcclusion, TheHemisphereIsTheShadingNormals) {
-  // Turned below the floor: everything that leaves it downwards is free.
+  // The normals point below the floor, where nothing occludes.
   Scene scene = underPlate(integrators::ambientOcclusion, 1);
   scene.meshes[0].normals.assign(4, glm::dvec3(0, 0, -1));
   EXPECT_EQ(meanAt(scene), 1.0);

@@ -25,7 +25,7 @@ Scene bumpyScene(const FilterRow* kind, double radius, std::uint32_t samples) {
   return scene;
 }
 
-// The pixel by its definition: every sample of the film, splat onto the pixel.
+// A pixel by its definition: the weighted mean of all samples of the film.
 glm::vec3 pixelByDefinition(const Scene& scene, const Reference& renderer, int x, int y,
                             bool noriCompat) {
   const reference::FilterWeights weights(scene.filter, noriCompat);
@@ -130,7 +130,7 @@ INSTANTIATE_TEST_SUITE_P(Filters, ReferenceRender,
                                          FilterCase{&filters::box, 0.5, true}));
 
 TEST(ReferenceFilm, BandsDoNotShow) {
-  // So wide that the full film is traced in several bands, the crop in others.
+  // So wide that the film and the crop are traced in different bands.
   Scene scene = bumpyScene(&filters::gaussian, 2.0, 1);
   scene.integrator = {&integrators::normals};
   scene.camera.width = 16500;
@@ -147,7 +147,7 @@ TEST(ReferenceFilm, BandsDoNotShow) {
 }
 
 TEST(ReferenceFilm, BatchesOfSamplesDoNotShow) {
-  // More samples than are traced at once: 12 x 12 pixels and 4000 samples.
+  // More samples than one batch holds: 12 x 12 pixels and 4000 samples.
   Scene scene = bumpyScene(&filters::tent, 1.0, 4000);
   scene.camera.width = scene.camera.height = 12;
   const Reference renderer(scene);
@@ -164,7 +164,8 @@ TEST(ReferenceFilm, UnusableSamplesAreDroppedWithTheirWeight) {
   const Image clean = Reference(scene).render().image;
   for (const double bad :
        {-1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
-    // The second light reaches only what lies to the right: its plane bounds the bad samples.
+    // The second light reaches only the part right of its plane, which limits the bad samples to
+    // it.
     Scene broken = scene;
     Mesh wall;
     wall.positions = {{0, -99, -1}, {0, 99, -1}, {0, 99, 99}, {0, -99, 99}};

@@ -26,15 +26,15 @@ inline Mesh square(double half, double z) {
   return mesh;
 }
 
-/// Film position of downCamera() that sees a point.
+/// Film position at which downCamera() sees a point.
 inline glm::dvec2 filmOf(const Camera& camera, glm::dvec3 point) {
-  const glm::dvec3 way = point - glm::dvec3(camera.toWorld[3]);
-  const double half = std::tan(camera.fov * std::numbers::pi / 360) * -way.z;
-  return 0.5 * camera.width * glm::dvec2(1 + way.x / half, 1 - way.y / half);
+  const glm::dvec3 direction = point - glm::dvec3(camera.toWorld[3]);
+  const double half = std::tan(camera.fov * std::numbers::pi / 360) * -direction.z;
+  return 0.5 * camera.width * glm::dvec2(1 + direction.x / half, 1 - direction.y / half);
 }
 
-/// A square around 0 at z = 0 seen from (0, 0, 4). One hidden far behind it moves the centre of the
-/// meshes away from 0.
+/// A square around 0 at z = 0, seen from (0, 0, 4). A hidden square far behind it moves the centre
+/// of the meshes away from 0.
 inline Scene litSquare() {
   Scene scene;
   scene.integrator = {&integrators::directWhitted};

@@ -41,7 +41,7 @@ TEST(ReferenceNormals, AreInterpolatedAndNormalised) {
   expectNear(seenAt(scene, {1, -1, 0}), glm::dvec3(1, 2, 1) / std::sqrt(6.0));
   scene.meshes[0].triangles[0] = {1, 2, 0};
   expectNear(seenAt(scene, {1, -1, 0}), glm::dvec3(1, 2, 1) / std::sqrt(6.0));
-  // The same triangle, no longer of the first mesh.
+  // The same triangle, but not in the first mesh.
   scene.meshes.insert(scene.meshes.begin(), square(0.25, -6));
   scene.meshes[1].triangles = {{1, 2, 0}, {0, 2, 1}};
   expectNear(seenAt(scene, {1, -1, 0}), glm::dvec3(1, 2, 1) / std::sqrt(6.0));
@@ -63,7 +63,8 @@ TEST(ReferenceNormals, FallBackToTheTriangle) {
 }
 
 TEST(ReferenceNormals, TriangleNormalFollowsTheWindingUnderShading) {
-  // Every order of corners of an up-facing triangle is lit from above only if it winds upwards.
+  // For each order of the corners of a horizontal triangle: lit from above only if the winding
+  // faces up.
   const glm::dvec3 v[] = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
   const unsigned orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
   for (int i = 0; i < 6; ++i) {

@@ -38,7 +38,8 @@ class Random {
   std::mt19937 engine_;
 };
 
-/// Random triangles with corners up to `size` a component from points of the unit cube.
+/// Random triangles whose corners differ by up to `size` per component from points of the unit
+/// cube.
 inline std::vector<Triangle> soup(Random& random, unsigned count, double size) {
   std::vector<Triangle> triangles;
   for (std::uint32_t i = 0; i < count; ++i) {

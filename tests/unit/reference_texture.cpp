@@ -1,4 +1,4 @@
-// The reference's textures and backgrounds against values worked out by hand.
+// The reference's textures and backgrounds against values computed by hand.
 #include <gtest/gtest.h>
 
 #include "reference/texture.h"
@@ -44,7 +44,7 @@ TEST(ReferenceTexture, APictureRepeats) {
   for (const dvec2 uv : {dvec2(0.1, 0.9), dvec2(0.97, 0.02), dvec2(0.0, 0.0), dvec2(0.5, 0.31)})
     for (const dvec2 shift : {dvec2(1, 0), dvec2(0, -1), dvec2(-3, 2), dvec2(1024, -512)})
       EXPECT_NEAR(albedoAt(bsdf, uv + shift).x, albedoAt(bsdf, uv).x, 1e-9) << uv.x << shift.x;
-  // At the left edge, between the first and the last column of the upper row's centre.
+  // At the left edge, between the first and the last column, at the centre of the upper row.
   EXPECT_DOUBLE_EQ(albedoAt(bsdf, {0.0, 0.75}).x, 2.5);
   // At the upper edge, between the first and the last row.
   EXPECT_DOUBLE_EQ(albedoAt(bsdf, {0.125, 1.0}).x, 25.5);
@@ -58,7 +58,7 @@ TEST(ReferenceTexture, ScaleThenOffsetAndTheFactor) {
   EXPECT_EQ(albedoAt(bsdf, {0.125, 0.3}).x, 20.0);
 }
 
-TEST(ReferenceTexture, BytesAreDecodedBeforeTheyAreMixed) {
+TEST(ReferenceTexture, BytesAreDecodedBeforeInterpolation) {
   Bitmap bitmap(2, 1, {0, 128, 255});
   bitmap.at(1, 0) = {255, 128, 255};
   Bsdf bsdf = showing(std::make_shared<const Picture>(bitmap));
@@ -82,8 +82,8 @@ TEST(ReferenceTexture, ACheckerFollowsTheParityOfBothAxes) {
   EXPECT_EQ(at(-0.3, -0.1), 2.0);
 }
 
-TEST(ReferenceTexture, ABackgroundTurnsAboutYAndFallsFromThePole) {
-  // Columns begin at -z and go over +x, +z and -x; two rows.
+TEST(ReferenceTexture, ABackgroundRunsAroundYAndDownFromThePole) {
+  // Columns begin at -z and continue over +x, +z and -x; two rows.
   Environment sky;
   sky.image = floats(4, 2, {1, 2, 3, 4, 10, 20, 30, 40});
   const auto at = [&](dvec3 d) { return sky.row->background(sky, d).x; };
@@ -101,7 +101,7 @@ TEST(ReferenceTexture, ABackgroundTurnsAboutYAndFallsFromThePole) {
   EXPECT_GE(at({0, 1, 0}), 1.0);
   EXPECT_LE(at({0, 1, 0}), 4.0);
   sky.radiance = dvec3(2.0);
-  // A quarter turn that takes +x to -z: the picture's +x is seen at the world's -z.
+  // A quarter turn that maps +x to -z: the image's +x is seen at the world's -z.
   sky.toWorld = glm::dmat4(0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 5, 6, 7, 1);
   EXPECT_NEAR(at({1, half, -1}), 2 * 2.0, 1e-12);
 }
@@ -125,7 +125,7 @@ TEST(ReferenceTexture, CoordinatesOfTheFileOrTheWeights) {
   EXPECT_FALSE(lit(-1, 1));
 }
 
-TEST(ReferenceTexture, MissesOfDirectWhittedAloneSeeTheBackground) {
+TEST(ReferenceTexture, OnlyDirectWhittedShowsTheBackground) {
   Scene scene = litSquare();
   scene.environment = Environment();
   scene.environment->radiance = {1, 2, 3};

@@ -10,8 +10,8 @@ namespace {
 
 using namespace reference;
 
-// What a loop over every triangle makes of the ray: the nearest by a formula of its own, and how
-// clearly (the smallest weight or distance in t that could turn the answer).
+// The result of a loop over all triangles: the nearest hit by an independent formula, and how clear
+// it is (the smallest weight or distance in t whose change could alter the result).
 struct Loop {
   int id = -1;
   long double t = 1e30L, margin = 1.0L;
@@ -61,7 +61,7 @@ TEST(ReferenceTree, FindsWhatALoopFinds) {
   EXPECT_GT(decided, 8900);
 }
 
-// The same, bit for bit, with the tree's own triangle test: nothing is pruned by mistake.
+// Bit for bit equal to a loop with the tree's own triangle test: nothing is pruned by mistake.
 void expectSameAsEveryTriangle(const Tree& tree, const std::vector<Triangle>& triangles,
                                const Ray& ray, double tmin, double tmax) {
   const Triangle* best = nullptr;

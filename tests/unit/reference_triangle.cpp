@@ -17,7 +17,7 @@ int exactTurn(std::int64_t ax, std::int64_t ay, std::int64_t bx, std::int64_t by
   return (value > 0) - (value < 0);
 }
 
-TEST(ReferenceTriangle, TurnIsTheExactSign) {
+TEST(ReferenceTriangle, OrientationIsTheExactSign) {
   std::mt19937_64 random(1);
   std::uniform_int_distribution<std::int64_t> big(-(1ll << 52), 1ll << 52), small(-2, 2);
   int undecidedByRounding = 0;

@@ -52,7 +52,7 @@ TEST(ReferenceWhitted, SignsAreThoseOfTheShadingNormal) {
   scene.lights[0].position = {0, 2, 0.5};
   EXPECT_EQ(seenAt(scene, {0, 0, 0}), glm::dvec3(0));
   scene.meshes[0].normals.assign(4, glm::dvec3(0, 0.6, 0.8));
-  // The reverse: no other surface lies between, so the light counts.
+  // The reverse: no other surface is in between, so the light counts.
   scene.lights[0].position = {0, 2, -0.5};
   EXPECT_GT(seenAt(scene, {0, 0, 0}).x, 0);
 }
@@ -64,7 +64,7 @@ TEST_P(ReferenceShadow, BlockerAtHeightBetween) {
   scene.camera = downCamera({1, 0, 4}, 60, 64);
   scene.meshes.push_back(square(0.25, GetParam()));
   scene.lights[0].position = {-1, 0, 2};
-  // The line from the light to (x, 0, 0) passes the blocker's middle.
+  // The line from the light to (x, 0, 0) passes through the centre of the blocker.
   const double height = GetParam();
   const double x = height / (2 - height);
   EXPECT_EQ(seenAt(scene, {x + 0.1, 0, 0}), glm::dvec3(0)) << height;
@@ -79,7 +79,8 @@ TEST(ReferenceWhitted, ContactGapIsSeen) {
   for (const double gap : {1e-3, 1e-6, 1e-9, 1e-12}) {
     scene.meshes.resize(2);
     scene.meshes.push_back(square(0.25, gap));
-    // Under a grazing light the line to (0.5, 0, 0) passes the blocker's middle, or x = -0.5.
+    // Under a grazing light the line to (0.5, 0, 0) passes through the centre of the blocker, at x
+    // = -0.5.
     scene.lights[0].position = {-1, 0, gap * 3};
     EXPECT_EQ(seenAt(scene, {0.5, 0, 0}), glm::dvec3(0)) << gap;
     scene.lights[0].position = {-1, 0, gap * 1.5};

@@ -1,4 +1,4 @@
-// The bound of what rounding may move, against the kernels' own arithmetic.
+// The bound of the movement by rounding, against the kernels' own arithmetic.
 #include "reference/rounding.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-/// A triangle before a camera that is turned somehow.
+/// A triangle in front of a randomly oriented camera.
 Scene randomScene(std::mt19937& random) {
   std::uniform_real_distribution<double> unit(-1.0, 1.0), fov(5.0, 150.0);
   const auto point = [&] { return dvec3(unit(random), unit(random), unit(random)); };
@@ -36,7 +36,7 @@ Scene randomScene(std::mt19937& random) {
   return scene;
 }
 
-/// Where the film is that a direction, as the kernels make it in float, goes through.
+/// The exact film position of the direction that the kernels compute in float for `film`.
 dvec2 filmOf(const Camera& camera, const shared::Params& params, glm::vec2 film) {
   const float x = static_cast<float>(camera.width) - 2.0F * film.x;
   const float y = static_cast<float>(camera.height) - 2.0F * film.y;
@@ -63,13 +63,14 @@ TEST(Rounding, CameraRaysStayWithinTheirBoundAndComeNearIt) {
       largest = std::max(largest, moved / bound);
     }
   }
-  // Worst cases of some ten roundings hardly meet; the slopes' share of the bound is not in these.
+  // The worst cases of some ten roundings rarely coincide, and the slopes' part of the bound is not
+  // tested here.
   EXPECT_GT(largest, 0.2);
 }
 
-/// A ray, sideways places of a triangle's corners by exact arithmetic, and what the test says.
+/// A ray, its exact position relative to a triangle, and the result of the float test.
 struct Near {
-  double beyond = 0.0;  ///< distance of the ray from the border, above 0 outside
+  double beyond = 0.0;  ///< distance of the ray from the border, positive outside
   double bound = 0.0;
   bool inside = false;
 };
@@ -108,7 +109,7 @@ TEST(Rounding, TheTriangleTestMovesEdgesWithinTheirBoundAndComesNearIt) {
     ASSERT_LE(std::abs(near.beyond), near.bound);
     largest = std::max(largest, std::abs(near.beyond) / near.bound);
   }
-  EXPECT_GT(wrong, 1000);  // rays at edges are undecided
+  EXPECT_GT(wrong, 1000);  // rays at edges differ
   EXPECT_GT(largest, 0.1);
 }
 

@@ -1,4 +1,4 @@
-// Where adaptive sampling spends samples, and that choosing them leaves no bias.
+// Distribution of adaptive samples, and that choosing them causes no bias.
 #include "render/sample_map.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr Crop kArea{0, 0, 64, 64};
 
-/// Pilots that are 0 but for a square whose value alternates between 0 and `height`: there s^2 is
+/// Pilots that are 0 except in a square whose value alternates between 0 and `height`: there s^2 is
 /// height^2 / 2.
 std::vector<Image> pilotsWith(Crop square, float height) {
   std::vector<Image> pilots(kPilots, rgbImage(kArea.x1, kArea.y1));
@@ -22,36 +22,36 @@ std::vector<Image> pilotsWith(Crop square, float height) {
   return pilots;
 }
 
-TEST(SampleMap, SmoothPlacesGetTheLeast) {
+TEST(SampleMap, SmoothAreasGetTheMinimum) {
   const SampleMap map = decideSamples(pilotsWith({}, 0.0F), kArea, 0.01, 256, 1);
   EXPECT_EQ(map.max(kArea), 1U);
 }
 
-TEST(SampleMap, OneSampleIsForASixthOfTheErrorInWholeBlocks) {
+TEST(SampleMap, BlocksBelowASixthOfTheErrorGetOneSample) {
   // s is 0.7071 of the height.
   constexpr Crop kBlocks{16, 16, 32, 32};
   const SampleMap below = decideSamples(pilotsWith(kBlocks, 0.0023F), kArea, 0.01, 256, 1);
   EXPECT_EQ(below.max(kArea), 1U);
   const SampleMap above = decideSamples(pilotsWith(kBlocks, 0.0024F), kArea, 0.01, 256, 1);
   EXPECT_EQ(above.samplesOf(kArea, 256), 4096U + 3U * 256U);
-  // One cell that needs more brings its block with it, and no other.
+  // A cell that needs more samples raises its own block and no other.
   const SampleMap one = decideSamples(pilotsWith({18, 18, 19, 19}, 0.05F), kArea, 0.01, 256, 1);
   EXPECT_EQ(one.samplesOf(kArea, 256), 4096U + 3U * 64U);
   EXPECT_EQ(one.max({16, 16, 24, 24}), 4U);
 }
 
-TEST(SampleMap, ACellGetsItsVarianceByTheSquareOfTheErrorInStepsOfFour) {
+TEST(SampleMap, ACellGetsItsVarianceOverTheSquaredErrorInStepsOfFour) {
   // A cell and the pixels around it: s^2 is 0.09 / 2, and 0.045 / 0.02^2 = 112.5.
   const SampleMap map = decideSamples(pilotsWith({19, 19, 25, 25}, 0.3F), kArea, 0.02, 256, 1);
   EXPECT_EQ(map.pixel(20, 20), 116U);
   EXPECT_EQ(map.pixel(23, 23), 116U);
   EXPECT_EQ(map.pixel(40, 20), 1U);
-  // 2 pixels wide of 6 in its neighbours: a third of s^2.
+  // The square covers 2 of 6 columns around the neighbour: a third of s^2.
   EXPECT_EQ(map.pixel(24, 20), 40U);
 }
 
 TEST(SampleMap, NeighboursGetAQuarter) {
-  // Seen by one cell only: 4 of its 36 pixels, s^2 = 0.125, (0.125 * 4 / 36) / 0.01^2 = 138.9.
+  // Affects one cell only: 4 of its 36 pixels, s^2 = 0.125, (0.125 * 4 / 36) / 0.01^2 = 138.9.
   const SampleMap map = decideSamples(pilotsWith({21, 21, 23, 23}, 0.5F), kArea, 0.01, 4096, 1);
   EXPECT_EQ(map.pixel(20, 20), 140U);
   for (const auto& [x, y] : {std::pair(16, 16), std::pair(20, 16), std::pair(24, 24)})
@@ -106,8 +106,8 @@ TEST(SampleMap, CountsOfARegionAreThoseOfTheCellsThatItTouches) {
   EXPECT_EQ(map.samplesOf({11, 3, 13, 5}, 16), 4U + 4U + 16U + 4U);
 }
 
-/// How many of `count` samples meet a feature that a share `p` of them does: the gaps between such
-/// samples are geometric.
+/// How many of `count` samples hit a feature with probability `p` each; the gaps between such
+/// samples have a geometric distribution.
 double hits(std::mt19937& random, std::uint32_t count, double p) {
   double found = 0;
   for (double at = 0;; ++found) {
@@ -117,9 +117,8 @@ double hits(std::mt19937& random, std::uint32_t count, double p) {
   }
 }
 
-TEST(SampleMap, AFeatureThatOneSampleInAHundredMeetsIsNotBiased) {
-  // Every pixel shows 1 where a sample meets the feature, which its pilots may or may not see; the
-  // numbers are always the same.
+TEST(SampleMap, AFeatureHitByOneSampleInAHundredIsNotBiased) {
+  // Every sample that hits the feature is 1; pilots may miss it. The random numbers are fixed.
   constexpr double kShare = 0.01;
   constexpr Crop kFilm{0, 0, 256, 256};
   std::mt19937 random(7);
@@ -147,7 +146,7 @@ TEST(SampleMap, AFeatureThatOneSampleInAHundredMeetsIsNotBiased) {
   const double truth = kShare * static_cast<double>(pixels);
   EXPECT_LT(std::sqrt(variance) / truth, 0.001);
   EXPECT_NEAR(ours / truth, 1.0, 0.002);
-  EXPECT_LT(kept / truth, 0.95);  // samples that decide and are kept: the fault this avoids
+  EXPECT_LT(kept / truth, 0.95);  // keeping the pilots would cause this bias
 }
 
 }  // namespace

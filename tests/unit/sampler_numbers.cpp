@@ -1,4 +1,4 @@
-// The stream of pairs that each sampler gives a sample: uniform, and no dimension tells of another.
+// The stream of pairs of each sampler: uniform, and independent between dimensions.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +23,8 @@ std::size_t cellOf(double x, double y) {
   return static_cast<std::size_t>(x * kCells) * kCells + static_cast<std::size_t>(y * kCells);
 }
 
-/// How many standard deviations the chi-squared statistic of equally likely cells is too large.
+/// By how many standard deviations the chi-squared statistic of equally likely cells exceeds its
+/// mean.
 double excess(const std::vector<int>& counts) {
   double sum = 0, chi2 = 0;
   for (const int count : counts) sum += count;
@@ -32,9 +33,9 @@ double excess(const std::vector<int>& counts) {
   return (chi2 - (cells - 1)) / std::sqrt(2 * (cells - 1));
 }
 
-// Of 60 statistics of fixed seeds; one beyond 5 has a probability of 1e-4 by the chi-squared
-// distribution's tail, and dimensions that depend on each other give hundreds.
-constexpr double kMost = 5.0;
+// Bound for 60 statistics of fixed seeds. Each exceeds 5 with a probability of 1e-4 by the
+// chi-squared distribution's tail; dependent dimensions give hundreds.
+constexpr double kBound = 5.0;
 
 class SamplerNumbers : public testing::TestWithParam<const SamplerRow*> {
  protected:
@@ -55,7 +56,7 @@ TEST_P(SamplerNumbers, AreUniformInEachDimension) {
         ASSERT_TRUE(p.x >= 0.0 && p.x < 1.0 && p.y >= 0.0 && p.y < 1.0);
         ++cells[cellOf(p.x, p.y)];
       }
-    EXPECT_LT(excess(cells), kMost) << dimension;
+    EXPECT_LT(excess(cells), kBound) << dimension;
   }
 }
 
@@ -70,8 +71,8 @@ TEST_P(SamplerNumbers, OfTwoDimensionsAreIndependent) {
         ++first[cellOf(p.x, q.x)];
         ++second[cellOf(p.y, q.y)];
       }
-    EXPECT_LT(excess(first), kMost) << a << " and " << b;
-    EXPECT_LT(excess(second), kMost) << a << " and " << b;
+    EXPECT_LT(excess(first), kBound) << a << " and " << b;
+    EXPECT_LT(excess(second), kBound) << a << " and " << b;
   }
 }
 
@@ -114,7 +115,7 @@ TEST(SamplerNumbersOf, SobolAreNetsInEachDimension) {
       }
 }
 
-TEST(SamplerNumbersOf, APairMayStandForAll) {
+TEST(SamplerNumbersOf, APairMayReplaceTheStream) {
   const Numbers numbers(glm::dvec2(0.25, 0.75));
   EXPECT_EQ(numbers.pair(1), glm::dvec2(0.25, 0.75));
   EXPECT_EQ(numbers.pair(9), glm::dvec2(0.25, 0.75));

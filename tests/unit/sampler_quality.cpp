@@ -1,5 +1,5 @@
-// How well `stratified` and `sobol` fill a pixel. The device draws the same samples to the bit
-// (tests/trace/sample_positions.cpp), so the reference's are looked at.
+// How well `stratified` and `sobol` fill a pixel. The test examines the reference's samples, since
+// the device draws the same ones to the bit (tests/trace/sample_positions.cpp).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ Camera film(int width, int height) {
   return camera;
 }
 
-/// Place of a sample in its pixel, exact.
+/// Exact position of a sample in its pixel.
 glm::dvec2 placeOf(const Camera& camera, const Sampler& sampler, int x, int y, std::uint32_t s) {
   return glm::dvec2(samplePosition(camera, sampler, x, y, s)) - glm::dvec2(x, y);
 }
@@ -59,8 +59,8 @@ TEST(Sobol, ALongerRenderBeginsWithTheShorter) {
 }
 
 TEST(Stratified, OneSampleInEachStratum) {
-  // A stratum's border is no number of the grid of samples unless it is one of 2^-k: on a small
-  // film the grid is so fine that no sample here falls between the two.
+  // Strata borders other than multiples of 2^-k are not on the grid of samples; on a small film the
+  // grid is so fine that no sample here falls between the two.
   const Camera camera = film(2, 2);
   const auto expectStrata = [&](unsigned columns, unsigned rows) {
     EXPECT_EQ(strataOf(columns * rows), glm::uvec2(columns, rows));
@@ -78,7 +78,8 @@ TEST(Stratified, OneSampleInEachStratum) {
   expectStrata(32, 32);
 }
 
-/// How many standard deviations the chi-squared statistic of equally likely cells is too large.
+/// By how many standard deviations the chi-squared statistic of equally likely cells exceeds its
+/// mean.
 double excess(const std::vector<int>& counts, double samples) {
   const double cells = static_cast<double>(counts.size()), expected = samples / cells;
   double chi2 = 0;
@@ -86,9 +87,10 @@ double excess(const std::vector<int>& counts, double samples) {
   return (chi2 - (cells - 1)) / std::sqrt(2 * (cells - 1));
 }
 
-// Of some thirty statistics each, all of fixed seeds; one beyond 5 has a probability of 1e-4 to the
-// chi-squared distribution's tail, and constants that mix badly give thousands.
-constexpr double kMost = 5.0;
+// Bound for some thirty statistics per sampler, all of fixed seeds. Each exceeds 5 with a
+// probability of 1e-4 by the chi-squared distribution's tail; constants that mix badly give
+// thousands.
+constexpr double kBound = 5.0;
 constexpr int kSide = 192;
 constexpr double kPixels = double{kSide} * kSide;
 
@@ -109,14 +111,14 @@ TEST_P(Uniform, EachSampleOverThePixels) {
           before = p;
         }
       }
-      EXPECT_LT(excess(cells, kPixels), kMost) << "seed " << seed << " sample " << s;
-      EXPECT_LT(excess(neighbours, kPixels), kMost) << "seed " << seed << " sample " << s;
+      EXPECT_LT(excess(cells, kPixels), kBound) << "seed " << seed << " sample " << s;
+      EXPECT_LT(excess(neighbours, kPixels), kBound) << "seed " << seed << " sample " << s;
     }
 }
 
-TEST_P(Uniform, TwoSamplesBelowTheDigitThatTellsThemApart) {
-  // 16 samples lie one in each sixteenth of either axis, of which the first four digits say which;
-  // where in its sixteenth one lies tells nothing about another.
+TEST_P(Uniform, TwoSamplesWithinTheirStrata) {
+  // Of 16 samples one lies in each sixteenth of either axis, which the first four binary digits
+  // determine. The positions inside these sixteenths must be independent.
   const Camera camera = film(kSide, kSide);
   for (const auto& [a, b] : {std::pair(0U, 1U), std::pair(0U, 8U), std::pair(5U, 6U)}) {
     std::vector<int> alongX(256), alongY(256);
@@ -131,8 +133,8 @@ TEST_P(Uniform, TwoSamplesBelowTheDigitThatTellsThemApart) {
         ++alongX[inside(p.x, strata) * 16 + inside(q.x, strata)];
         ++alongY[inside(p.y, strata) * 16 + inside(q.y, strata)];
       }
-    EXPECT_LT(excess(alongX, kPixels), kMost) << a << " and " << b;
-    EXPECT_LT(excess(alongY, kPixels), kMost) << a << " and " << b;
+    EXPECT_LT(excess(alongX, kPixels), kBound) << a << " and " << b;
+    EXPECT_LT(excess(alongY, kPixels), kBound) << a << " and " << b;
   }
 }
 
@@ -145,7 +147,7 @@ TEST_P(Uniform, OtherSeedsAreOtherSamples) {
       const double q = placeOf(camera, {16, std::int64_t{1} << 32, GetParam()}, x, y, 3).x;
       ++cells[static_cast<std::size_t>(p * 16) * 16 + static_cast<std::size_t>(q * 16)];
     }
-  EXPECT_LT(excess(cells, kPixels), kMost);
+  EXPECT_LT(excess(cells, kPixels), kBound);
 }
 
 INSTANTIATE_TEST_SUITE_P(Samplers, Uniform,

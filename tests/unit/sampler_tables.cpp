@@ -28,7 +28,7 @@ std::uint64_t join(glm::uvec2 halves) {
   return static_cast<std::uint64_t>(halves.y) << 32 | halves.x;
 }
 
-/// Steps that the tables reach for a pixel of a block and a sample.
+/// Steps that the tables jump for a pixel of a block and a sample.
 PcgJump lookUp(const Packed& data, std::uint32_t levels, std::uint32_t pixel,
                std::uint32_t number) {
   const auto entry = [&](std::size_t i) {

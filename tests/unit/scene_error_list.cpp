@@ -1,4 +1,4 @@
-// How errors are gathered and placed.
+// Collection and positions of errors.
 #include "support/scene_files.h"
 
 namespace laver::test {

@@ -1,4 +1,4 @@
-// Every fault of a scene file, with the exact message.
+// Every error of a scene file, with the exact message.
 #include "scene/schema.h"
 #include "scene/suggest.h"
 #include "support/scene_files.h"
@@ -18,7 +18,7 @@ class SceneErrors : public testing::TestWithParam<Case> {
   SceneFiles files_;
 };
 
-TEST_P(SceneErrors, AreToldWithPlaceAndExpectation) {
+TEST_P(SceneErrors, StatePositionAndExpectation) {
   files_.write("t.obj", kTriangle);
   EXPECT_EQ(files_.errors(GetParam().xml), GetParam().error);
 }

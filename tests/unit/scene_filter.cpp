@@ -1,4 +1,4 @@
-// Another reconstruction filter than the scene's, as --filter asks for.
+// Overriding the scene's reconstruction filter, as --filter does.
 #include "support/scene_files.h"
 
 namespace laver::test {

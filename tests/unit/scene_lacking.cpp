@@ -1,4 +1,4 @@
-// What laver lacks is only warned of where the picture does not need it.
+// Unsupported objects cause only a warning if the picture does not depend on them.
 #include "scene/schema.h"
 #include "scene/suggest.h"
 #include "support/scene_files.h"
@@ -12,7 +12,7 @@ class SceneLacking : public testing::Test {
   SceneFiles files_;
 };
 
-TEST_F(SceneLacking, WhatTheIntegratorDoesNotNeedIsWarnedOf) {
+TEST_F(SceneLacking, UnsupportedObjectsThatTheIntegratorIgnoresAreWarnings) {
   const std::string tail = "; ignored, integrator \"normals\" does not need it";
   EXPECT_EQ(
       files_.warnings(scene("<medium type=\"homogeneous\"><phase type=\"hg\"/></medium>\n"

@@ -1,4 +1,4 @@
-// Where mesh files are found, and what the command line replaces.
+// Where mesh files are found, and overrides by the command line.
 #include "scene/schema.h"
 #include "scene/suggest.h"
 #include "support/scene_files.h"
@@ -58,7 +58,7 @@ TEST(SceneLookup, ParentFoldersAndAbsolutePaths) {
   EXPECT_EQ(heightOf(loadScene(b)), 5.0);
 }
 
-TEST(SceneLookup, FaultsOfASharedFileAreToldOnce) {
+TEST(SceneLookup, ErrorsOfASharedFileAreReportedOnce) {
   const SceneFiles files;
   files.write("m.obj", "f 1\n");
   files.write("sub/x", "");
@@ -150,7 +150,7 @@ TEST(SceneOverride, IntegratorForASceneWithoutOne) {
   EXPECT_TRUE(loaded.warnings.empty());
 }
 
-TEST(SceneOverride, SizeSamplesAndSeedReplaceWhatTheSceneSays) {
+TEST(SceneOverride, SizeSamplesAndSeedReplaceTheScenes) {
   const SceneFiles files;
   SceneOverrides overrides;
   overrides.size = {{30, 20}};

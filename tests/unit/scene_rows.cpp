@@ -1,4 +1,4 @@
-// The tables of what a scene may hold: each row is complete, and what it does not say is safe.
+// The tables of scene objects: each row is complete, and omitted parts have safe defaults.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -48,7 +48,7 @@ TEST(SceneRows, AFilterKeepsEachOfItsProperties) {
     const Filter filter = filterOf(*row);
     for (std::size_t i = 0; i < row->members.size(); ++i)
       EXPECT_EQ(Value(filter.*row->members[i]), row->properties[i].start);
-    // Two texts of one formula: a few roundings of numbers up to 8 apart.
+    // Two implementations of one formula: a few roundings of numbers up to 8.
     for (const double x : {0.0, 0.3, 0.5, 0.7})
       EXPECT_NEAR(row->evaluate(filter, x * filter.radius),
                   row->twin->exact(filter, x * filter.radius), 1e-14);
@@ -97,7 +97,7 @@ TEST(SceneRows, ALayerShowsAnIntegratorOrThePixelsCentre) {
   }
 }
 
-TEST(SceneRows, EachPropertySaysWhatItMeansAndHasAStartOfItsType) {
+TEST(SceneRows, EachPropertyHasAMeaningAndADefaultOfItsType) {
   for (const xml::ObjectRule& rule : xml::objectRules())
     for (const PropertyRow& row : rule.properties) {
       SCOPED_TRACE(std::string(rule.type) + " " + row.name);
@@ -118,8 +118,8 @@ TEST(SceneRows, AHintNamesAllIntegratorsOfTheTable) {
             std::string::npos);
 }
 
-// An integrator that is shown beside another has the properties that the file gives it.
-TEST(SceneRows, PropertiesOfTheFileHoldBesideAnotherIntegrator) {
+// An integrator that is rendered as a layer has the properties that the file gives it.
+TEST(SceneRows, PropertiesOfTheFileApplyToALayer) {
   const SceneFiles files;
   SceneOverrides overrides;
   overrides.integrator = {&integrators::depth};

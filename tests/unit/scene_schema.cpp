@@ -1,4 +1,4 @@
-// `laver schema` lists what the reader accepts, and the reader accepts what it lists.
+// The reader accepts exactly what `laver schema` lists.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,20 +31,20 @@ std::string xmlOf(const json& property) {
   return fmt::format("<{} name=\"{}\" value=\"{}\"/>", type, name, valueOf(property));
 }
 
-/// An object with `properties`, in a place of its own kind.
+/// A scene with an object with `properties`, in a place where it is allowed.
 std::string sceneOf(const json& element, const std::string& type, const std::string& properties) {
   const std::string tag = element["tag"],
                     place = element["in"].empty() ? "scene" : element["in"][0];
   const std::string object = fmt::format("<{0} type=\"{1}\">{2}</{0}>", tag, type, properties);
   if (tag == "integrator") return "<scene>" + object + "</scene>";
   if (place == "camera") return scene("<camera type=\"perspective\">" + object + "</camera>");
-  if (tag == "texture")  // of an integrator that reads no picture
+  if (tag == "texture")  // with an integrator that reads no image
     return scene(
         mesh(fmt::format("<bsdf type=\"diffuse\"><texture name=\"albedo\" type=\"{}\">{}"
                          "</texture></bsdf>",
                          type, properties)));
-  // Where a background is seen, it must be named, and a warning says what it does not do.
   if (type == "area") return scene(mesh(object), "path_mis");
+  // With an integrator that shows backgrounds, the image must exist, and there is a warning.
   const bool background =
       type == "environment" || type == "envmap" || type == "constant" || type == "distantdisk";
   return scene(place == "mesh" ? mesh(object) : object, background ? "normals" : "direct_whitted");
@@ -70,7 +70,7 @@ TEST(SceneSchema, TheReaderTakesEveryPropertyListed) {
         const std::string xml = sceneOf(element, type["type"], xmlOf(property) + rest);
         EXPECT_EQ(files.errors(xml), "");
         EXPECT_EQ(files.warnings(xml), "");
-        // What is required is, and nothing else.
+        // Exactly the required properties are required.
         EXPECT_EQ(files.errors(sceneOf(element, type["type"], rest)).empty(),
                   !property["required"].get<bool>());
         ++properties;
@@ -78,7 +78,7 @@ TEST(SceneSchema, TheReaderTakesEveryPropertyListed) {
   EXPECT_GE(properties, 20);
 }
 
-TEST(SceneSchema, ADefaultThatIsWrittenChangesNothing) {
+TEST(SceneSchema, AnExplicitDefaultChangesNothing) {
   const SceneFiles files;
   files.write("t.obj", kTriangle);
   const json schema = schemaJson();
@@ -102,7 +102,8 @@ TEST(SceneSchema, TheReaderTakesEveryOperationListed) {
     int number = 0;
     for (const json& attribute : operation["attributes"]) {
       const int count = attribute["numbers"];
-      std::string numbers;  // squares: no two triples along one line; of a matrix, the unit one
+      std::string
+          numbers;  // squares, so that no two triples are parallel; for a matrix the identity
       for (int i = 0; i < count; ++i, ++number)
         numbers +=
             fmt::format("{} ", count == 16 ? (i % 5 == 0 ? 1 : 0) : (number + 1) * (number + 1));
@@ -116,7 +117,7 @@ TEST(SceneSchema, TheReaderTakesEveryOperationListed) {
   }
 }
 
-/// Tags of objects with their types, and properties' names, of an XML.
+/// Tags of objects with their types, and names of properties, in an XML document.
 std::set<std::string> namesIn(const pugi::xml_node& node) {
   std::set<std::string> names;
   for (const pugi::xml_node child : node.children()) {
@@ -162,7 +163,7 @@ TEST(SceneSchema, TheReadmesExampleIsListedAndAccepted) {
     EXPECT_EQ(listed.count(name), 1U) << name;
 }
 
-TEST(SceneSchema, TheTextHoldsAllThatTheJsonHolds) {
+TEST(SceneSchema, TheTextHasTheContentOfTheJson) {
   const std::string text = schemaText();
   const json schema = schemaJson();
   for (const json& element : schema["elements"]) {
@@ -175,7 +176,7 @@ TEST(SceneSchema, TheTextHoldsAllThatTheJsonHolds) {
   }
 }
 
-TEST(SceneSchema, TheMarkdownIsTablesOfAllTypesAndProperties) {
+TEST(SceneSchema, TheMarkdownHasTablesOfAllTypesAndProperties) {
   const std::string text = schemaMarkdown();
   const json schema = schemaJson();
   for (const json& element : schema["elements"]) {

@@ -1,4 +1,4 @@
-// Meshes of type "sphere": what the reader makes of them, and the reference.
+// Meshes of type "sphere" in the reader and in the reference.
 #include <numbers>
 
 #include "support/scene_files.h"
@@ -57,8 +57,8 @@ TEST(ReferenceSphere, DepthNormalsAndLightAtItsTop) {
              glm::dvec3(0.2, 1.0, 2.4) / std::numbers::pi);
 }
 
-TEST(ReferenceSphere, NormalsAsideAndTheSquareBeyond) {
-  // The line from (0, 0, 4) over the centre through a point at 0.6, 0.8 of the radius.
+TEST(ReferenceSphere, NormalsOffCentreAndTheSquareBehind) {
+  // The line from (0, 0, 4) through a point at (0.6, 0.8) of the radius from the centre.
   const Scene s = litSphere(integrators::normals);
   const glm::dvec3 n(0.28, 0.0, 0.96);
   const glm::dvec3 seen = seenAt(s, glm::dvec3(0.5, 0, 0) + 0.25 * n);
@@ -66,13 +66,13 @@ TEST(ReferenceSphere, NormalsAsideAndTheSquareBeyond) {
   expectNear(seenAt(s, {2, 0, -2}), glm::dvec3(0, 0, 1));
 }
 
-TEST(ReferenceSphere, ShadesWhatIsBelowAndNotItself) {
+TEST(ReferenceSphere, ShadowsTheFloorAndNotItself) {
   const Scene s = litSphere(integrators::directWhitted);
   Scene below = s;
   below.camera = downCamera({0.5, 0, -1}, 60, 64);
   EXPECT_EQ(seenAt(below, {0.6, 0, -2}), glm::dvec3(0));
   EXPECT_GT(seenAt(s, {1.9, 0, -2}).x, 0.0);
-  // From the light the sphere's outline lies at cos = r / d of its centre.
+  // From the light, the sphere's outline is at cos = r / d from its centre.
   EXPECT_GT(seenAt(s, {0.5 + 0.25 * std::sin(1.4), 0, 0.25 * std::cos(1.4)}).x, 0.0);
 }
 
@@ -87,7 +87,7 @@ TEST(ReferenceSphere, TextureCoordinatesAreLongitudeAndLatitudeOfTheNormal) {
   for (const auto& [n, uv] : cases) {
     SCOPED_TRACE(testing::Message() << n.x << " " << n.y << " " << n.z);
     Scene s = litSphere(integrators::albedo);
-    // Looking at that point, from some other side.
+    // A camera that looks at that point from another direction.
     const dvec3 point = s.meshes[0].sphere->centre + 0.25 * n;
     const dvec3 forward = -glm::normalize(n + dvec3(0.1, 0.2, 0.15));
     const dvec3 side = glm::normalize(glm::cross(dvec3(0.3, 0.5, 0.7), forward));
@@ -104,7 +104,7 @@ TEST(ReferenceSphere, TextureCoordinatesAreLongitudeAndLatitudeOfTheNormal) {
     if (std::abs(n.z) < 1.0) {
       EXPECT_NEAR(hit->uv.x, uv.x, 1e-12);
     }
-    // The texture is looked up there.
+    // The texture is evaluated there.
     s.meshes[0].bsdf.texture = Texture();
     Texture& texture = *s.meshes[0].bsdf.texture;
     texture.scale = {0.0, 5.0};

@@ -66,7 +66,7 @@ TEST(SceneNames, Nearest) {
 
 TEST(SceneNames, QuotesAreSafeToPrint) { EXPECT_EQ(xml::inQuotes("a\nb\x1b"), "\"a?b?\""); }
 
-// What a table promises: each default reads as its own type, each object builds from defaults.
+// Invariants of the tables: each default parses as its type, and each object builds from defaults.
 TEST(SceneSchema, DefaultsAreWellFormed) {
   for (const xml::ObjectRule& rule : xml::objectRules()) {
     EXPECT_NE(xml::findTag(rule.tag), nullptr) << rule.tag;
@@ -159,7 +159,7 @@ TEST(SceneDescribe, MeshesLightsFilterAndSeed) {
             std::string::npos);
 }
 
-// Damaged files end in a scene or in an Error of the right kind, never otherwise.
+// A damaged file causes either a scene or an Error of the right kind, nothing else.
 TEST(SceneDamage, NeverEscapesTheErrorType) {
   const SceneFiles files;
   files.write("t.obj", kTriangle);

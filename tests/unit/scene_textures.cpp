@@ -1,4 +1,5 @@
-// Textures and backgrounds of scene files: every value in its place, and every fault with its own.
+// Textures and backgrounds of scene files: every value reaches its member, and every error has its
+// message.
 #include "support/picture_files.h"
 #include "support/scene_files.h"
 
@@ -14,7 +15,7 @@ class SceneTextures : public testing::Test {
     files_.write("t.obj", kUvTriangle);
     files_.write("a.png", png(1, 1, 8, PNG_COLOR_TYPE_RGB, {{10, 20, 30}}));
   }
-  // A mesh whose bsdf holds some tags, for direct_whitted.
+  // A scene for direct_whitted with a mesh whose BSDF contains some tags.
   static std::string whitted(const std::string& insideBsdf, const std::string& after = "") {
     return scene(mesh("<bsdf type=\"diffuse\">\n" + insideBsdf + "</bsdf>") + after,
                  "direct_whitted");
@@ -76,7 +77,7 @@ TEST_F(SceneTextures, EveryValueReachesItsPlace) {
   ASSERT_TRUE(s.environment->image);
 }
 
-TEST_F(SceneTextures, EveryNameOfATypeAndOneReadForAll) {
+TEST_F(SceneTextures, EveryNameOfATypeAndAFileIsReadOnce) {
   for (const char* type : {"textmap", "image_texture", "bitmap"}) {
     const std::string bsdf = std::string("<bsdf type=\"diffuse\"><texture type=\"") + type +
                              "\" name=\"albedo\"><string name=\"filename\" value=\"a.png\"/>"
@@ -98,7 +99,7 @@ TEST_F(SceneTextures, EveryNameOfATypeAndOneReadForAll) {
   }
 }
 
-TEST_F(SceneTextures, NoriCompatTakesBytesForLinear) {
+TEST_F(SceneTextures, NoriCompatReadsBytesAsLinear) {
   SceneOverrides overrides;
   overrides.noriCompat = true;
   EXPECT_TRUE(files_.load(whitted(picture("a.png")), overrides).scene.meshes[0].bsdf.texture->raw);
@@ -138,7 +139,7 @@ TEST_F(SceneTextures, WrongPlacesAndNames) {
             "name=\"radiance\">");
 }
 
-TEST_F(SceneTextures, WhatIsOddIsWarnedOf) {
+TEST_F(SceneTextures, OddValuesAreWarnings) {
   EXPECT_EQ(files_.warnings(whitted("<color name=\"albedo\" value=\"1 1 1\"/>\n"
                                     "<texture type=\"checker\" name=\"albedo\"/>\n"
                                     "<texture type=\"checker\" name=\"albedo\"/>")),

@@ -1,4 +1,4 @@
-// Integrators and BSDFs of the user's own: what the scene says of them, and who refuses them.
+// Integrators and BSDFs from users' files: reading of scenes, and refusals.
 #include "reference/reference.h"
 #include "scene/schema.h"
 #include "scene/suggest.h"
@@ -34,7 +34,7 @@ TEST_F(SceneUser, AnIntegratorTakesNumbersOfAnyName) {
             "Scene[\n  integrator = mine[reach=0.5, n_2=3, tint=1 2 3, on=true],");
 }
 
-TEST_F(SceneUser, AnIntegratorIsGivenAllAndSaysNothingOfMisses) {
+TEST_F(SceneUser, AnIntegratorGetsEverythingAndStatesNoMiss) {
   const IntegratorRow& row = *files_.load(integrator("")).scene.integrator.row;
   EXPECT_TRUE(shades(row));
   EXPECT_TRUE(row.needs.normals && row.needs.numbers);
@@ -42,7 +42,7 @@ TEST_F(SceneUser, AnIntegratorIsGivenAllAndSaysNothingOfMisses) {
   EXPECT_FALSE(row.litOnly);
 }
 
-TEST_F(SceneUser, LaversOwnNamesComeFirst) {
+TEST_F(SceneUser, BuiltInNamesComeFirst) {
   files_.write("depth.glsl", "");
   EXPECT_TRUE(files_.load(integrator("", "depth")).scene.integrator.is(integrators::depth));
 }
@@ -57,13 +57,13 @@ TEST_F(SceneUser, APropertyMustBeANumberWithANameThatGlslCanTake) {
               std::string("f.xml:2:2: error: ") + expected);
 }
 
-TEST_F(SceneUser, APathIsNoName) {
+TEST_F(SceneUser, APathIsNotAName) {
   EXPECT_EQ(files_.errors(integrator("", "./mine")),
             "f.xml:1:9: error: laver has no integrator of type \"./mine\": expected " +
                 xml::expectedNames("./mine", xml::knownTypes("integrator")));
 }
 
-TEST_F(SceneUser, TheCommandLinesIntegratorHasTheScenesPropertiesWhereTheyAreOne) {
+TEST_F(SceneUser, TheCommandLinesIntegratorTakesThePropertiesOfTheSameFile) {
   SceneOverrides overrides;
   overrides.integrator = userIntegrator((files_.path() / "mine.glsl").string());
   ASSERT_TRUE(overrides.integrator);
@@ -87,7 +87,7 @@ TEST_F(SceneUser, ABsdfTakesAColourOrATextureAndFloats) {
   EXPECT_EQ(bsdf.albedo, glm::dvec3(1.0));
 }
 
-// One text serves all meshes, so that a number has one place in all their records.
+// All meshes share one text, so that a number has the same place in all their records.
 TEST_F(SceneUser, MeshesShareABsdfsProperties) {
   const Scene s =
       files_
@@ -123,7 +123,7 @@ TEST_F(SceneUser, ABsdfHasRoomForOneColourAndFourFloats) {
   EXPECT_EQ(files_.errors(of("\n" + real("a b"))), message);
 }
 
-TEST_F(SceneUser, TheReferenceRefusesWhatHasNoTwin) {
+TEST_F(SceneUser, TheReferenceRefusesUsersCode) {
   const std::string bsdf = mesh("<bsdf type=\"mine\"/>");
   for (const std::string& xml : {integrator(""), scene(bsdf, "direct_whitted")}) {
     const Scene s = files_.load(xml).scene;
@@ -136,7 +136,7 @@ TEST_F(SceneUser, TheReferenceRefusesWhatHasNoTwin) {
                 "mine.glsl: the reference renders laver's own integrators and BSDFs only");
     }
   }
-  // Where no material is shown, it does not matter.
+  // An integrator without materials renders it.
   Scene s = files_.load(scene(bsdf)).scene;
   s.camera.width = s.camera.height = 2;
   EXPECT_NO_THROW(Reference(s).render());

@@ -1,4 +1,5 @@
-// One scene for each way in which scenes in the wild are written, and what is only warned of.
+// One scene for each way in which published scenes are written, and the harmless oddities that
+// cause warnings.
 #include "support/scene_files.h"
 
 namespace laver::test {
@@ -101,7 +102,7 @@ TEST_F(SceneWild, LookAtInAnyOrderOfAttributes) {
   const glm::dmat4 a = cameraOf("<lookat target=\"0, 0, 5\" origin=\"0, 0, 1\" up=\"0, 7, 0\"/>");
   EXPECT_EQ(a, cameraOf("<lookat up=\"0 1 0\" origin=\"0 0 1\" target=\"0 0 2\"/>"));
   EXPECT_EQ(a, glm::dmat4(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 1, 1));
-  // The mirrored camera of 163 scenes: the first operation applies first.
+  // The mirrored camera of 163 public scenes: the first operation applies first.
   const glm::dmat4 mirrored =
       cameraOf("<scale value=\"-1,1,1\"/><lookat target=\"0 0 5\" origin=\"0 0 1\" up=\"0 1 0\"/>");
   EXPECT_EQ(mirrored, glm::dmat4(-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 1, 1));
@@ -147,7 +148,7 @@ TEST_F(SceneWild, ExtraNameOfAnObjectIsFine) {
   EXPECT_EQ(files_.warnings(scene(mesh("<bsdf type=\"diffuse\" name=\"red\"/>"))), "");
 }
 
-TEST_F(SceneWild, OtherExtraAttributesAreWarnedOf) {
+TEST_F(SceneWild, OtherExtraAttributesAreWarnings) {
   EXPECT_EQ(files_.warnings("<scene version=\"2\">\n<integrator type=\"depth\" id=\"a\"/>\n"
                             "<camera type=\"perspective\"><float name=\"fov\" value=\"3\" "
                             "vaule=\"4\"/></camera></scene>"),
@@ -173,7 +174,7 @@ TEST_F(SceneWild, SeveralMeshesWithAndWithoutBsdf) {
   EXPECT_EQ(s.meshes[2].name, "t.obj");
 }
 
-TEST_F(SceneWild, LightsInFileOrderThoseOfMeshesLast) {
+TEST_F(SceneWild, LightsAreInFileOrderAndThoseOfMeshesLast) {
   const auto s =
       files_
           .load(scene(mesh("<emitter type=\"pointlight\"><point name=\"position\" value=\"3 0 0\"/>"
@@ -199,7 +200,7 @@ TEST_F(SceneWild, IntegerForAFloat) {
   EXPECT_TRUE(loaded.warnings.empty());
 }
 
-TEST_F(SceneWild, UnknownAndDoublePropertiesAreWarnedOf) {
+TEST_F(SceneWild, UnknownAndDuplicatePropertiesAreWarnings) {
   const std::string xml = scene(
       "<camera type=\"perspective\">\n<float name=\"fow\" value=\"1\"/>\n"
       "<float name=\"fov\" value=\"20\"/>\n<float name=\"fov\" value=\"40\"/></camera>");

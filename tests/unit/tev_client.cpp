@@ -10,7 +10,7 @@
 namespace laver::test {
 namespace {
 
-/// Different in each pixel, with what a float may hold.
+/// An image that differs in each pixel, with special values of floats.
 Image noise(int width, int height, unsigned seed) {
   Image image = rgbImage(width, height);
   std::uint32_t state = seed;
@@ -84,11 +84,11 @@ TEST(TevClient, SendsASlowViewerTheNewestRowsOnly) {
   }
   const Viewer seen = viewer.get();
   EXPECT_EQ(bitsOf(seen.picture), bitsOf(picture));
-  // 303 MB were given; Linux buffers 4 MB of a sender and 6 MB of a receiver by default.
+  // 303 MB were handed over; Linux buffers 4 MB at a sender and 6 MB at a receiver by default.
   EXPECT_LT(seen.received, std::size_t{60000000});
 }
 
-TEST(TevClient, SaysInOneLineThatNobodyListens) {
+TEST(TevClient, WarnsInOneLineIfNobodyListens) {
   const std::string port = Listener().port();
   testing::internal::CaptureStderr();
   {
@@ -117,7 +117,7 @@ TEST(TevClient, OutlivesAViewerThatClosesMidway) {
   EXPECT_EQ(lines(testing::internal::GetCapturedStderr()), 1);
 }
 
-TEST(TevClient, LeavesAViewerThatNeverReads) {
+TEST(TevClient, AbandonsAViewerThatNeverReads) {
   const Listener listener(AF_INET, 4096);
   const Image picture = noise(2000, 2000, 5);
   testing::internal::CaptureStderr();
@@ -130,7 +130,7 @@ TEST(TevClient, LeavesAViewerThatNeverReads) {
   EXPECT_NE(said.find("timed out"), std::string::npos) << said;
 }
 
-TEST(TevClient, LeavesAViewerWithoutRowsWithoutAWord) {
+TEST(TevClient, EndsWithoutAWarningIfThereAreNoRows) {
   const Listener listener;
   auto viewer = viewerOf(listener);
   { const TevClient client({"127.0.0.1", listener.port()}, "picture"); }

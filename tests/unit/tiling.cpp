@@ -22,7 +22,7 @@ TEST(Tiling, RegionHasTheApronInsideTheFilmOnly) {
   EXPECT_EQ(regionOf({1, 0, 100, 49}, 2, 100, 50), glm::uvec4(0, 0, 100, 50));
 }
 
-/// Every row is in one band, and no pass holds more than the plan says or the device allows.
+/// Expects that every row is in one band, and that no pass exceeds the plan or the device's limits.
 void expectFits(int width, int height, std::uint32_t apron, std::uint32_t samples) {
   const auto limits = lavapipeLimits();
   const Crop film{0, 0, width, height};
@@ -55,7 +55,7 @@ TEST(Tiling, AnyFilmFitsTheDevice) {
   expectFits(640, 480, 20, 64);
 }
 
-TEST(Tiling, AFilterTooWideIsRefusedWithBothNumbers) {
+TEST(Tiling, ATooWideFilterIsRefusedWithBothNumbers) {
   try {
     tile(lavapipeLimits(), {{0, 0, 64, 64}, 64, 64, 200, 1});
     FAIL() << "accepted";
@@ -67,7 +67,7 @@ TEST(Tiling, AFilterTooWideIsRefusedWithBothNumbers) {
   }
 }
 
-TEST(Tiling, AFilmTooWideIsRefusedByTheLimitsName) {
+TEST(Tiling, ATooWideFilmIsRefusedWithTheLimitsName) {
   VkPhysicalDeviceLimits limits = lavapipeLimits();
   limits.maxStorageBufferRange = 1U << 20;
   try {
@@ -98,12 +98,12 @@ class TraversalOf : public testing::Test {
   Scene scene_;
 };
 
-TEST_F(TraversalOf, IsLaneBeyondTwoTrianglesToARay) {
+TEST_F(TraversalOf, IsLaneBeyondTwoTrianglesPerRay) {
   EXPECT_EQ(of(10, 20, 1, 400), "packet32");
   EXPECT_EQ(of(10, 20, 1, 401), "lane");
   EXPECT_EQ(of(10, 20, 4, 1600), "packet32");
   EXPECT_EQ(of(10, 20, 4, 1601), "lane");
-  // More than 16 samples of a pixel share no more of what a packet walks through.
+  // Beyond 16 samples per pixel, packets visit no more nodes together.
   EXPECT_EQ(of(10, 20, 64, 6401), "lane");
   EXPECT_EQ(of(10, 20, 1, 401, "packet"), "packet32");
   EXPECT_EQ(of(10, 20, 1, 401, "packet64"), "packet64");
@@ -120,7 +120,7 @@ TEST_F(TraversalOf, IsLargePacketsOfManyRaysAndFewTriangles) {
   EXPECT_EQ(of(64, 64, 1024, 12, "lane"), "lane");
 }
 
-TEST_F(TraversalOf, RefusesWhatTheDeviceCannotAndWhatIsUnknown) {
+TEST_F(TraversalOf, RefusesUnsupportedAndUnknownNames) {
   device_.longs = false;
   EXPECT_EQ(of(1024, 1024, 4, 12), "lane");
   for (const char* wanted : {"packet", "packet32", "packet64"})

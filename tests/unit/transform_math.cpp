@@ -1,4 +1,4 @@
-// Transforms, their inverses' existence, and look-at cameras.
+// Transforms: singularity, look-at cameras, rotations, normals.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ const glm::dmat4 kOne(1.0);
 glm::dmat4 turn() { return *rotation({1, 2, 3}, 40.0); }
 glm::dmat4 scaled(double x, double y, double z) { return glm::scale(kOne, glm::dvec3(x, y, z)); }
 
-TEST(TransformSingular, NotByScaleHoweverSmallLargeOrUneven) {
+TEST(TransformSingular, DoesNotDependOnScale) {
   EXPECT_FALSE(isSingular(kOne));
   EXPECT_FALSE(isSingular(scaled(1e-200, 1e-200, 1e-200)));
   EXPECT_FALSE(isSingular(scaled(1e200, 1e200, 1e200)));
@@ -56,7 +56,7 @@ TEST(TransformLookAt, ColumnsAreLeftUpViewAndOrigin) {
   EXPECT_EQ((*matrix)[3], glm::dvec4(1, 2, 3, 1));
 }
 
-TEST(TransformLookAt, IsARotationForAnySlantedUp) {
+TEST(TransformLookAt, IsARotationForAnyUpVector) {
   const auto matrix = lookAt({1, 2, 3}, {-4, 0, 7}, {0.3, 2, 0.1});
   ASSERT_TRUE(matrix);
   const glm::dmat3 r(*matrix);
@@ -66,7 +66,7 @@ TEST(TransformLookAt, IsARotationForAnySlantedUp) {
   EXPECT_GT(glm::dot(r[1], glm::dvec3(0.3, 2, 0.1)), 0.0);
 }
 
-TEST(TransformLookAt, HasNoAnswerWithoutDirections) {
+TEST(TransformLookAt, IsUndefinedWithoutDirections) {
   EXPECT_FALSE(lookAt({1, 2, 3}, {1, 2, 3}, {0, 1, 0}));
   EXPECT_FALSE(lookAt({0, 0, 0}, {0, 0, 1}, {0, 0, 0}));
   EXPECT_FALSE(lookAt({0, 0, 0}, {0.1, 0.2, 0.3}, {1, 2, 3}));
@@ -84,7 +84,7 @@ TEST(TransformRotation, TurnsCounterClockwiseAboutAnAxisOfAnyLength) {
   EXPECT_FALSE(rotation({0, 0, 0}, 90.0));
 }
 
-TEST(TransformNormals, AreThoseOfTheInverseTranspose) {
+TEST(TransformNormals, UseTheInverseTranspose) {
   const glm::dmat4 matrix = turn() * scaled(1, -2, 3) * turn();
   const glm::dmat3 expected = glm::transpose(glm::inverse(glm::dmat3(matrix)));
   const glm::dvec3 n = normalizedOrZero(normalMatrix(matrix) * glm::dvec3(.3, .4, .5));

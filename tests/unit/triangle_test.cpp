@@ -1,4 +1,4 @@
-// The kernels' triangle test, compiled as C++: the same text that the shaders include.
+// The kernels' triangle test, compiled as C++ from the same text.
 #include "shared/triangle.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ Fan randomFan(std::mt19937& random) {
   return fan;
 }
 
-/// Triangles of the fan that the ray meets.
+/// Number of triangles of the fan that the ray hits.
 int hits(const Fan& fan, vec3 origin, vec3 direction) {
   const Shear shear = shearOf(direction);
   int count = 0;
@@ -77,7 +77,7 @@ TEST(TriangleTest, DepthStaysBetweenTheCorners) {
 }
 
 TEST(TriangleTest, DifferenceOfProductsIsAccurateUnderCancellation) {
-  // (1 + e)(1 - e) - 1 * 1 = -e^2, which plain products lose altogether.
+  // (1 + e)(1 - e) - 1 * 1 = -e^2, which plain products lose completely.
   const float e = 1.0F / 4096.0F / 2.0F;
   EXPECT_EQ(differenceOfProducts(1.0F + e, 1.0F - e, 1.0F, 1.0F), -e * e);
 }
@@ -107,7 +107,7 @@ TEST(TriangleTest, BlocksOnlyPointsOnBothSides) {
   EXPECT_FALSE(blocked(a, b, c, above, vec3(0.2F, 0.2F, 0.5F)));
   EXPECT_FALSE(blocked(a, b, c, above, on));
   EXPECT_FALSE(blocked(a, b, c, on, above));
-  EXPECT_FALSE(blocked(a, b, c, vec3(2, 2, 1), vec3(2, 2, -1)));  // beside it
+  EXPECT_FALSE(blocked(a, b, c, vec3(2, 2, 1), vec3(2, 2, -1)));  // outside its edges
   EXPECT_FALSE(blocked(a, b, c, above, vec3(0.2F, 0.2F, 3)));     // behind the point
 }
 

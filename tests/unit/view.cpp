@@ -1,4 +1,4 @@
-// What a window shows, without one.
+// The contents of a window, computed without one.
 #include "show/view.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ Image ramp(int width, int height, std::vector<std::string> channels) {
 
 const ViewLayer kRgb{"RGB", {0, 1, 2}};
 
-TEST(ViewLayers, GroupsByPrefixAndTakesTheRestOneByOne) {
+TEST(ViewLayers, GroupsByPrefixAndSeparatesTheRest) {
   const auto layers = viewLayers({"R", "G", "B", "A", "u", "v", "Z", "N.X", "N.Y", "N.Z", "depth.R",
                                   "depth.G", "depth.B", "shape_index", "P.X"});
   EXPECT_EQ(namesOf(layers),
@@ -55,7 +55,7 @@ TEST(ViewLayers, OrdersTheChannelsOfAGroupAndNeedsAllOfThem) {
   EXPECT_EQ(namesOf(viewLayers({"R", "G"})), (std::vector<std::string>{"R", "G"}));
 }
 
-TEST(ViewLayers, OfTwoPicturesAreThoseThatBothHave) {
+TEST(ViewLayers, OfTwoPicturesAreTheSharedOnes) {
   Image a = ramp(3, 2, {"R", "G", "B", "Z"}), b = ramp(3, 2, {"B", "G", "R", "u"});
   const Image first = a, second = b;
   keepShared(a, b);
@@ -68,14 +68,14 @@ TEST(ViewLayers, OfTwoPicturesAreThoseThatBothHave) {
   EXPECT_THROW(keepShared(a, wide), Error);
 }
 
-TEST(View, OpensPixelOnPixelInTheMiddle) {
+TEST(View, OpensCentredAtZoomOne) {
   View view;
   view.placement.centre({10, 20}, {31, 40}, false);
   EXPECT_EQ(view.placement.zoom(), 1.0);
   EXPECT_EQ(view.placement.offset(), glm::dvec2(10.0, 10.0));
 }
 
-TEST(View, FitsAsLargeAsItGoesIn) {
+TEST(View, FitsAtTheLargestZoom) {
   View view;
   view.placement.centre({100, 50}, {400, 400}, true);
   EXPECT_EQ(view.placement.zoom(), 4.0);
@@ -113,7 +113,7 @@ TEST(View, FindsThePixelUnderTheCursor) {
   EXPECT_FALSE(at(8.0, 15.0));
 }
 
-TEST(View, KeysGoRoundLayersAndFlipPictures) {
+TEST(View, KeysCycleLayersAndFlipPictures) {
   View view;
   ViewContext c = context({10, 10}, {10, 10}, {});
   c.layers = 3;
@@ -122,7 +122,7 @@ TEST(View, KeysGoRoundLayersAndFlipPictures) {
   type(view, U'l', c);
   EXPECT_EQ(view.layer, 0U);
   type(view, U'd', c);
-  EXPECT_EQ(view.mode, View::Mode::A);  // there is nothing to subtract
+  EXPECT_EQ(view.mode, View::Mode::A);  // there is no picture B
   c.two = true;
   type(view, U' ', c);
   EXPECT_EQ(view.mode, View::Mode::B);
@@ -139,7 +139,7 @@ TEST(View, KeysGoRoundLayersAndFlipPictures) {
   EXPECT_EQ(view, same);
 }
 
-TEST(Compose, ShowsEachPixelAsThePngHasIt) {
+TEST(Compose, ShowsEachPixelAsInThePng) {
   const Image image = ramp(9, 5, {"R", "G", "B"});
   View view;
   view.placement.pan({2.0, 3.0});
@@ -152,7 +152,7 @@ TEST(Compose, ShowsEachPixelAsThePngHasIt) {
     }
 }
 
-TEST(Compose, ExposesAndSpreads) {
+TEST(Compose, AppliesExposureAndStretch) {
   const Image image = ramp(4, 4, {"Z"});
   View view;
   view.halfStops = 2;
@@ -199,7 +199,7 @@ TEST(Compose, DrawsTheLargestDifferenceAsCompareDoes) {
             srgb8(b.at(1, 2, 0)));
 }
 
-TEST(ViewedPictures, TakesRowsAndInTheEndAll) {
+TEST(ViewedPictures, TakesRowsAndFinallyAll) {
   ViewedPictures pictures;
   pictures.add("a", rgbImage(3, 3));
   const Image picture = ramp(3, 3, {"R", "G", "B"});

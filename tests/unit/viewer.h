@@ -15,7 +15,7 @@
 
 namespace laver::test {
 
-/// Bounds waiting only: a connection over the loopback interface takes milliseconds.
+/// Only a bound: a connection over the loopback interface takes milliseconds.
 inline constexpr int kViewerSeconds = 60;
 
 /// A socket that listens on a free port of the loopback interface, by IPv4 or IPv6.
@@ -44,7 +44,7 @@ class Listener {
 
   bool listens() const { return listens_; }
   std::string port() const { return std::to_string(port_); }
-  /// A connection whose reads fail after kViewerSeconds without bytes, or -1 where nobody connects
+  /// Accepts a connection. Its reads fail after kViewerSeconds without bytes; -1 if nobody connects
   /// for as long.
   int accept() const {
     pollfd wanted{socket_, POLLIN, 0};
@@ -64,8 +64,8 @@ class Listener {
   int port_ = 0;
 };
 
-/// Reads a viewer's packets to the end of the connection and keeps the picture that they make. Made
-/// from the protocol, not from laver's own code.
+/// Plays the viewer: reads packets to the end of the connection and keeps the picture that they
+/// make. Written from the protocol, independently of laver's code.
 class Viewer {
  public:
   explicit Viewer(int connection) {
@@ -160,7 +160,7 @@ class Viewer {
   std::size_t at_ = 0;
 };
 
-/// The picture's bits, NaN patterns too.
+/// The bits of the picture, including NaN patterns.
 inline std::vector<std::uint32_t> bitsOf(const Image& image) {
   std::vector<std::uint32_t> bits(image.pixels.size());
   std::memcpy(bits.data(), image.pixels.data(), bits.size() * 4);

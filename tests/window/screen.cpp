@@ -15,7 +15,7 @@ namespace laver::test {
 struct Screen::Connection {
   Display* display;
 
-  /// The first window on the screen that is visible; 0 if there is none.
+  /// The first visible window; 0 if there is none.
   Window window() const {
     Window root = 0, parent = 0, found = 0;
     Window* children = nullptr;
@@ -55,7 +55,7 @@ Screen::Screen() {
   ::setenv("DISPLAY", (":" + number).c_str(), 1);
   Display* const display = XOpenDisplay(nullptr);
   if (display == nullptr) throw std::runtime_error("Xvfb cannot be reached");
-  // A window may go while it is asked after.
+  // A window may disappear during a query.
   XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });
   connection_ = new Connection{display};
 }

@@ -8,8 +8,8 @@
 
 namespace laver::test {
 
-/// An X server without a screen, Xvfb, and the one window on it, seen and typed into from outside.
-/// DISPLAY names it while it lives.
+/// An X server without a screen, Xvfb, and the one window on it, observed and operated from
+/// outside. DISPLAY names it during the object's lifetime.
 class Screen {
  public:
   /// Throws std::runtime_error without Xvfb.
@@ -18,12 +18,12 @@ class Screen {
   Screen(const Screen&) = delete;
   Screen& operator=(const Screen&) = delete;
 
-  /// What the window shows; none if there is no window.
+  /// The contents of the window; none if there is no window.
   std::optional<Bitmap> window() const;
-  /// As if typed: a lower-case letter.
+  /// Types a lower-case letter.
   void type(char letter) const;
   void moveCursor(int x, int y) const;
-  /// As a window manager asks.
+  /// Closes the window as a window manager does.
   void close() const;
 
  private:

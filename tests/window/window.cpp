@@ -1,4 +1,5 @@
-// The window as its user has it: on an X server, by what is on the screen, by keys and the cross.
+// The window as its user sees it: on an X server, by the contents of the screen, by keys and the
+// close button.
 #include <algorithm>
 #include <chrono>
 #include <functional>
@@ -16,7 +17,7 @@
 namespace laver::test {
 namespace {
 
-/// A hang, not slowness: a window is there within some seconds.
+/// Exceeding it means a hang: a window appears within some seconds.
 constexpr std::chrono::minutes kPatience{3};
 
 Bitmap srgb(const Image& image) {
@@ -27,7 +28,7 @@ Bitmap srgb(const Image& image) {
   return bitmap;
 }
 
-/// Whether all pixels of `part` are somewhere in `whole`, side by side as they are.
+/// Whether `whole` contains `part` as a rectangle.
 bool holds(const Bitmap& whole, const Bitmap& part) {
   const auto fits = [&](std::ptrdiff_t x0, std::ptrdiff_t y0) {
     for (std::ptrdiff_t y = 0; y < part.height; ++y) {
@@ -45,7 +46,7 @@ bool holds(const Bitmap& whole, const Bitmap& part) {
 
 class WindowTest : public CommandLine {
  protected:
-  /// Looks at the window until it is as wished; false if it never is.
+  /// Waits until the window's contents satisfy `wished`; false if they never do.
   bool sees(Child& child, const std::function<bool(const Bitmap&)>& wished) const {
     const auto end = std::chrono::steady_clock::now() + kPatience;
     while (!child.ended() && std::chrono::steady_clock::now() < end) {
@@ -79,7 +80,7 @@ std::vector<std::string> cornell(std::vector<std::string> more) {
 
 TEST_F(WindowTest, ShowsWhatIsRenderedAndWritten) {
   Child child(folder_, cornell({"--spp", "4", "--layers", "normals"}));
-  // The file is there before the window is closed, and is what the window shows.
+  // The file exists before the window is closed, and the window shows it.
   ASSERT_TRUE(sees(child, [&](const Bitmap&) { return fs::exists(path("a.exr")); })) << err();
   const Image picture = readExr(path("a.exr"));
   EXPECT_TRUE(shows(child, srgb(picture)));
@@ -99,9 +100,9 @@ TEST_F(WindowTest, ShowsWhatIsRenderedAndWritten) {
   EXPECT_EQ(files(), (std::set<std::string>{"a.exr", "a.png"}));
 }
 
-TEST_F(WindowTest, ClosedEarlyKeepsWhatThereIs) {
+TEST_F(WindowTest, ClosedEarlyKeepsThePartialPicture) {
   Child child(folder_, cornell({"--spp", "1048576"}));
-  // Before the first pass there are but two colours, black and the surround.
+  // Before the first pass there are only two colours, black and the surround.
   ASSERT_TRUE(sees(child, [](const Bitmap& window) {
     const auto end = window.pixels.begin() + std::ptrdiff_t{window.width} * (window.height * 2 / 3);
     return std::set<Rgb8>(window.pixels.begin(), end).size() > 50;
@@ -153,7 +154,7 @@ TEST_F(WindowTest, ViewsAFileByItsName) {
 
 TEST_F(WindowTest, AnErrorClosesIt) {
   write("a.xml", kFirstScene);
-  // The file cannot be replaced by the time it is written.
+  // The file cannot be written at the end of the render.
   Child child(folder_, {"a.xml", "--reference", "--gui", "-q", "--stats=/nowhere/a.json"});
   EXPECT_EQ(child.wait(), 1);
   EXPECT_NE(err().find("/nowhere/a.json"), std::string::npos) << err();

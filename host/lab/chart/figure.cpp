@@ -50,7 +50,7 @@ void drawText(cairo_t* cairo, dvec2 at, const std::string& text, double size, bo
   setColour(cairo, colour);
   cairo_move_to(cairo, at.x, at.y);
   cairo_show_text(cairo, text.c_str());
-  cairo_new_path(cairo);  // which begins at the text's end otherwise
+  cairo_new_path(cairo);  // otherwise a path starts at the text's end
 }
 
 void drawSymbol(cairo_t* cairo, const Symbol& symbol) {
@@ -94,7 +94,7 @@ void drawPanel(cairo_t* cairo, const Layout& layout) {
   for (const Label& label : layout.labels) drawLabel(cairo, label);
 }
 
-/// Lines no wider than the figure.
+/// Breaks paragraphs into lines no wider than the figure.
 std::vector<std::string> wrapped(const std::vector<std::string>& paragraphs) {
   std::vector<std::string> lines;
   for (const std::string& paragraph : paragraphs) {
@@ -114,7 +114,7 @@ std::vector<std::string> wrapped(const std::vector<std::string>& paragraphs) {
   return lines;
 }
 
-/// A figure with its lines broken and its places known.
+/// A figure after line breaking, with the positions of its parts.
 struct Page {
   explicit Page(const Figure& figure)
       : introduction(wrapped(figure.introduction)), notes(wrapped(figure.notes)) {

@@ -6,7 +6,7 @@
 
 namespace laver::chart {
 
-/// A drawing: lines of text, panels in two columns, lines of text.
+/// A drawing: a title, lines of text, panels in two columns, lines of text.
 struct Figure {
   std::string title;
   std::vector<std::string> introduction;
@@ -14,13 +14,13 @@ struct Figure {
   std::vector<std::string> notes;
 };
 
-/// Pixels: what a README shows.
+/// The width at which a README shows a picture, in pixels.
 inline constexpr double kFigureWidth = 2 * kPanelSize.x;
 
-/// In the font that the figure is drawn in.
+/// Width of a text in the figure's font, in pixels.
 double textWidth(const std::string& text, double size, bool bold);
 
-/// The figure as an SVG file, letters as outlines, and as a PNG file of `scale` times its size.
+/// The figure as an SVG file with letters as outlines, and as a PNG file of `scale` times its size.
 /// Throws Error(Output).
 std::string svgOf(const Figure& figure);
 std::string pngOf(const Figure& figure, double scale);

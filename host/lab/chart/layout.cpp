@@ -27,8 +27,8 @@ std::string tickText(double value) {
   return fmt::format("{:.0e}", value);
 }
 
-/// Whether a segment meets a box (Liang and Barsky, 1984).
-bool meets(dvec2 a, dvec2 b, const Rect& box) {
+/// Whether a segment intersects a box (Liang and Barsky, 1984).
+bool crosses(dvec2 a, dvec2 b, const Rect& box) {
   double begin = 0.0, end = 1.0;
   const dvec2 d = b - a;
   for (int axis = 0; axis < 2; ++axis) {
@@ -87,7 +87,7 @@ class Builder {
     layout_.labels.push_back(label);
   }
 
-  /// Text that the panel needs: cut where it is too wide.
+  /// A text that is always drawn, truncated if it is too wide.
   void addText(dvec2 at, std::string text, double size, bool bold, Colour colour) {
     const double room = kPanelSize.x - kMargin - at.x;
     if (widthOf_(text, size, bold) > room) {
@@ -97,12 +97,12 @@ class Builder {
     add(label(at, text, size, bold, colour));
   }
 
-  /// Text that is left out where there is no room.
+  /// A text that is drawn only if there is room.
   void addIfFree(const Label& label) {
     if (isFree(label.box)) add(label);
   }
 
-  /// Names of the curves, as many in a row as fit; returns where they end.
+  /// The names of the curves, in rows; returns where they end.
   double addLegend(double y) {
     double x = kMargin;
     for (const Curve& curve : panel_.curves) {
@@ -189,7 +189,7 @@ class Builder {
       layout_.strokes.push_back({std::move(points), 1.5, curve.colour});
   }
 
-  /// Beside the mark, where it covers no other label or symbol and the fewest lines.
+  /// Next to the mark, at the free position that crosses the fewest lines.
   void addMarkLabel(const Curve& curve, const Mark& mark) {
     const dvec2 p = at(mark);
     const double width = widthOf_(mark.label, kSmall, false), height = kAscent * kSmall;
@@ -219,7 +219,7 @@ class Builder {
     std::size_t count = 0;
     for (const Stroke& stroke : layout_.strokes)
       for (std::size_t i = 0; stroke.colour != kGrid && i + 1 < stroke.points.size(); ++i)
-        count += meets(stroke.points[i], stroke.points[i + 1], box) ? 1 : 0;
+        count += crosses(stroke.points[i], stroke.points[i + 1], box) ? 1 : 0;
     return count;
   }
 

@@ -11,10 +11,10 @@ namespace laver::chart {
 using Colour = std::array<std::uint8_t, 3>;
 enum class Shape { Disc, Square, Diamond, Triangle };
 
-/// A point of a curve; x has quartiles.
+/// A point of a curve; low and high are the quartiles of x.
 struct Mark {
   double x, low, high, y;
-  std::string label;  ///< placed beside it where there is room; empty: none
+  std::string label;  ///< drawn next to the mark if there is room; empty: none
 };
 
 struct Curve {
@@ -25,14 +25,14 @@ struct Curve {
   std::vector<Mark> marks;
 };
 
-/// Two logarithmic axes, smaller is better on both. Marks whose x or y is not above 0 are left out.
+/// Two logarithmic axes; smaller is better on both. Marks with x <= 0 or y <= 0 are not drawn.
 struct Panel {
   std::string title, xLabel, yLabel;
   std::vector<Curve> curves;
-  double uncertainBelow = 0;  ///< y below which the truth is not exact enough; 0: none
+  double uncertainBelow = 0;  ///< y below which the reference is not exact enough; 0: none
 };
 
-/// Lengths are in pixels, y down, from the panel's top left.
+/// A rectangle in pixels, y down, relative to the panel's top left.
 struct Rect {
   glm::dvec2 lo, hi;
   bool overlaps(const Rect& other) const {
@@ -45,7 +45,7 @@ struct Rect {
 
 struct Label {
   std::string text;
-  glm::dvec2 at;  ///< where the baseline begins
+  glm::dvec2 at;  ///< start of the baseline
   double size;
   bool bold, upwards;
   Colour colour;
@@ -64,7 +64,7 @@ struct Symbol {
   Colour colour;
 };
 
-/// What is drawn, in this order.
+/// The elements of a panel, in drawing order.
 struct Layout {
   std::vector<Rect> shades;  ///< areas of the colour kShade
   std::vector<Stroke> strokes;
@@ -79,7 +79,8 @@ inline constexpr glm::dvec2 kPanelSize{430, 340};
 inline constexpr double kSymbolRadius = 4;
 inline constexpr Colour kInk{40, 40, 40}, kGrey{110, 110, 110}, kShade{246, 240, 226};
 
-/// No label overlaps another or a symbol; a mark's label that finds no room is left out.
+/// Arranges a panel. No label overlaps another label or a symbol; labels of marks that do not fit
+/// are left out.
 Layout layoutOf(const Panel& panel, const TextWidth& widthOf);
 
 }  // namespace laver::chart

@@ -14,7 +14,7 @@
 namespace laver::chart {
 namespace {
 
-/// A part of the work, for its observers: from one share of the whole time, about, to another.
+/// Reports one part of the work to the observers: progress from share `from` to `to` of the whole.
 class Part : public Observer {
  public:
   Part(const Options& options, double from, double to)
@@ -39,7 +39,7 @@ Image renderReference(const Scene& scene, const Options& options, Part part) {
   return image;
 }
 
-/// The mean of two stratified pictures of different seeds, neither of them the scene's; their
+/// The mean of two stratified pictures with different seeds, neither of which is the scene's. Their
 /// difference estimates the error of the mean.
 Truth truthOf(Scene scene, const Options& options) {
   scene.sampler.row = &samplers::stratified;
@@ -74,7 +74,7 @@ std::vector<MethodPoint> methodsOf(const Scene& scene, const Options& options) {
         chartMethods(scene, options.device, options.runs, [&] { return stops(options.observers); });
     throwIfStopped(options);
     return methods;
-  } catch (const Error& error) {  // a sphere, or a tree too large for one buffer
+  } catch (const Error& error) {  // the scene has spheres, or its tree is too large for a buffer
     if (options.say) options.say(std::string("intersection methods are left out: ") + error.what());
     return {};
   }

@@ -4,14 +4,14 @@
 #include <fmt/ranges.h>
 
 #include "core/error.h"
-#include "lab/chart/numbers.h"
+#include "core/numeric.h"
 #include "reference/reference.h"
 
 namespace laver::chart {
 namespace {
 
-/// Pictures of more samples per pixel are not compared with the reference's of the same samples,
-/// which would take longer than all the rest.
+/// Pictures with more samples per pixel are not compared with the reference's picture of the same
+/// samples, which would take longer than everything else.
 constexpr double kMaxJudged = 64;
 
 std::vector<std::string> commandOf(const Series& series, std::size_t step, const Options& options) {
@@ -73,12 +73,12 @@ void Measurement::tryPeers(Chart& chart) const {
 }
 
 void Measurement::measure(std::vector<Series>& series, std::size_t step, const Image& truth) {
-  std::vector<Series*> taking;
+  std::vector<Series*> active;
   for (Series& each : series)
-    if (!stepOptions(each, step, options_.samples).empty()) taking.push_back(&each);
-  for (Series* each : taking) each->points.emplace_back();
+    if (!stepOptions(each, step, options_.samples).empty()) active.push_back(&each);
+  for (Series* each : active) each->points.emplace_back();
   for (std::size_t i = 0; i <= options_.runs; ++i)
-    for (Series* each : taking) {
+    for (Series* each : active) {
       const Run run = runOnce(*each, step);
       if (i > 0) addTimes(run, options_, each->points.back());
       if (i == options_.runs) finish(*each, step, truth);
@@ -102,7 +102,7 @@ Run Measurement::runOnce(const Series& series, std::size_t step) const {
   return run;
 }
 
-/// Compares the picture of a point's last run.
+/// Measures the error of the picture of a point's last run.
 void Measurement::finish(Series& series, std::size_t step, const Image& truth) {
   const Image image = runner_.picture();
   if (image.width != options_.size.x || image.height != options_.size.y)
@@ -116,7 +116,7 @@ void Measurement::finish(Series& series, std::size_t step, const Image& truth) {
                              quantile(point.passSeconds, 0.5) * 1e3, point.errors.rmse));
 }
 
-/// Compares a picture with the reference's of the same samples.
+/// Compares a picture with the reference's picture of the same samples.
 Mismatches Measurement::judge(const Series& series, const Image& image) {
   const auto samples = static_cast<std::uint32_t>(series.points.back().samples);
   Scene scene = sceneOf(options_);

@@ -9,7 +9,7 @@
 
 namespace laver::chart {
 
-/// Thrown where an observer stopped the work; makeChart hands no chart back then.
+/// Thrown when an observer has stopped the work; makeChart() then returns nothing.
 struct Stopped {};
 void throwIfStopped(const Options& options);
 
@@ -19,17 +19,18 @@ Scene sceneOf(const Options& options);
 /// Runs the programs of a chart. Every function throws Error and Stopped.
 class Measurement {
  public:
-  /// `options` outlive it.
+  /// `options` must outlive this object.
   explicit Measurement(const Options& options) : options_(options), runner_(options.folder) {}
 
-  /// One render by laver: finds the device, its driver and the traversal that laver chooses.
+  /// Renders once with laver to find the device, its driver and the traversal that laver chooses.
   void probe(Chart& chart) const;
 
-  /// Leaves out a peer that says it is not available.
+  /// Removes peers that report that they are not available.
   void tryPeers(Chart& chart) const;
 
-  /// Adds the point of one step to each series that has it. They take turns: a moment in which the
-  /// machine does something else then falls on all alike. A first run of each warms up caches.
+  /// Adds the point of one step to each series that has such a step. The series' runs alternate, so
+  /// that a disturbance of the machine affects all alike. A first, untimed run of each warms up
+  /// caches.
   void measure(std::vector<Series>& series, std::size_t step, const Image& truth);
 
  private:
@@ -40,7 +41,7 @@ class Measurement {
 
   const Options& options_;
   Runner runner_;
-  /// The reference's pictures by sampler and samples per pixel.
+  /// The reference's pictures, by sampler and samples per pixel.
   std::map<std::pair<std::string, std::uint32_t>, Image> references_;
 };
 

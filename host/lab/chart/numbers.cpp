@@ -6,15 +6,6 @@
 
 namespace laver::chart {
 
-double quantile(std::vector<double> values, double q) {
-  if (values.empty()) return 0.0;
-  std::sort(values.begin(), values.end());
-  const double rank = q * static_cast<double>(values.size() - 1);
-  const auto low = static_cast<std::size_t>(rank);
-  const std::size_t high = std::min(low + 1, values.size() - 1);
-  return std::lerp(values[low], values[high], rank - static_cast<double>(low));
-}
-
 double LogAxis::at(double value) const { return std::log(value / low) / std::log(high / low); }
 
 std::vector<double> LogAxis::ticks() const {

@@ -6,19 +6,20 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/numeric.h"
 #include "lab/chart/numbers.h"
 #include "scene/samplers.h"
 
 namespace laver::chart {
 namespace {
 
-/// Told apart also by those who see no red or no green (Okabe and Ito, "Color Universal Design",
-/// 2008).
+/// Distinguishable also with red or green colour blindness (Okabe and Ito, "Color Universal
+/// Design", 2008).
 constexpr Colour kPalette[kMaxCurves] = {{0, 114, 178},   {213, 94, 0}, {0, 158, 115},
                                          {204, 121, 167}, {0, 0, 0},    {86, 180, 233}};
 
-/// Laver's curves take colours from the front, peers' from the back, so that a peer looks the same
-/// in each panel.
+/// laver's curves take colours from the front, peers' from the back, so that a peer has the same
+/// colour in each panel.
 struct Style {
   Colour colour;
   Shape shape;
@@ -28,7 +29,7 @@ Style peerStyle(std::size_t number) {
   return {kPalette[kMaxCurves - 1 - number % kMaxCurves], Shape::Triangle};
 }
 
-/// Times of points are milliseconds of the pass, or of the whole process.
+/// The curve of a series; `seconds` selects the times of the pass or of the whole process.
 Curve curveOf(const Series& series, const std::string& name, Style style,
               std::vector<double> Point::*seconds) {
   Curve curve{name, style.colour, style.shape, true, {}};
@@ -62,7 +63,7 @@ std::string traversalText(const std::string& traversal) {
                              : fmt::format("laver, packets of {} rays", traversal.substr(6));
 }
 
-/// `independent` by all traversals and peers.
+/// The sampler `independent`, by all traversals and peers.
 Panel traversalPanel(const Chart& chart) {
   Panel panel = errorPanel("Independent samples, traced in other ways", "rendering alone", chart);
   std::size_t laver = 0, peers = 0;
@@ -79,7 +80,7 @@ Panel traversalPanel(const Chart& chart) {
   return panel;
 }
 
-/// laver's plainest and its best sampler, and peers.
+/// laver's samplers without adaptive sampling, and peers.
 Panel processPanel(const Chart& chart) {
   Panel panel = errorPanel("From the start of the program to the file",
                            "whole program, compiling included", chart);
@@ -94,7 +95,7 @@ Panel processPanel(const Chart& chart) {
   return panel;
 }
 
-/// Triangle tests: one curve for each, a mark for each of its box tests and forms of nodes.
+/// One curve per triangle test, with a mark for each box test and node format.
 Panel methodPanel(const Chart& chart) {
   Panel panel{"Ways to intersect a ray with a triangle",
               "time per ray, nanoseconds",

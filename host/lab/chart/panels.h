@@ -4,10 +4,10 @@
 
 namespace laver::chart {
 
-/// More curves than these in one panel cannot be told apart.
+/// More curves than these cannot be distinguished in one panel.
 inline constexpr std::size_t kMaxCurves = 6;
 
-/// What a chart's SVG and PNG show. Panels without a curve are left out.
+/// The figure of a chart's SVG and PNG. Panels without curves are left out.
 Figure figureOf(const Chart& chart);
 
 }  // namespace laver::chart

@@ -8,21 +8,22 @@
 
 namespace laver::chart {
 
-/// Exit code of a peer that cannot run here (EX_UNAVAILABLE of sysexits.h).
+/// Exit code of a peer that is not available (EX_UNAVAILABLE of sysexits.h).
 inline constexpr int kUnavailable = 69;
-/// The same of `env` and shells: there is no such program.
+/// Exit code of `env` and shells if the program does not exist.
 inline constexpr int kNotFound = 127;
 
-/// One render by a process of its own.
+/// The result of one render in its own process.
 // NOLINTNEXTLINE(bugprone-exception-escape): moving JSON asserts, and throws nothing
 struct Run {
   int exitCode = 0;
   double seconds = 0;     ///< of the whole process
-  nlohmann::json stats;   ///< what its --stats=FILE.json holds; null where it failed
+  nlohmann::json stats;   ///< content of its --stats=FILE.json; null if it failed
   std::string lastError;  ///< the last line of stderr
 };
 
-/// Renders by programs that take laver's options. Their files lie in a folder and are removed.
+/// Runs programs that take laver's options. Their output files lie in a folder and are removed at
+/// the end.
 class Runner {
  public:
   explicit Runner(std::filesystem::path folder) : folder_(std::move(folder)) {}
@@ -30,7 +31,7 @@ class Runner {
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
 
-  /// `command... -o FILE.exr --stats=FILE.json --quiet`. Throws Error(Usage) where it cannot be
+  /// Runs `command... -o FILE.exr --stats=FILE.json --quiet`. Throws Error(Usage) if it cannot be
   /// started.
   Run run(std::vector<std::string> command) const;
 

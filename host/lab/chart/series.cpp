@@ -8,7 +8,7 @@ namespace laver::chart {
 namespace {
 
 constexpr double kErrors[] = {0.04, 0.02, 0.01, 0.005};
-/// Per pixel: so many that --error decides how many are taken.
+/// Samples per pixel: so many that --error decides how many are taken.
 constexpr const char* kAdaptiveLimit = "1024";
 
 }  // namespace
@@ -22,7 +22,7 @@ std::vector<Series> seriesFor(const std::string& chosen, const std::vector<Peer>
     if (sampler->adaptive)
       all.push_back(
           {fmt::format("{}, adaptive", sampler->name), "laver", sampler->name, true, "", {}});
-  // A device that takes `lane` may have no other.
+  // Devices for which laver chooses `lane` may support no other traversal.
   for (const Traversal traversal : {Traversal::Lane, Traversal::Packet32, Traversal::Packet64})
     if (chosen != traversalName(Traversal::Lane) && chosen != traversalName(traversal))
       all.push_back({fmt::format("{}, {}", independent, traversalName(traversal)),

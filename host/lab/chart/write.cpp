@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include "core/atomic_file.h"
+#include "core/numeric.h"
 #include "lab/chart/chart.h"
-#include "lab/chart/numbers.h"
 #include "lab/chart/panels.h"
 
 namespace laver::chart {

@@ -19,10 +19,10 @@ using glm::dvec3;
 constexpr double e = kUnitRoundoff;
 constexpr double pi = std::numbers::pi;
 
-/// What a material shows around a place.
+/// Bounds of a material's albedo around a point.
 struct AlbedoBounds {
   double largest;  ///< of any channel
-  double change;   ///< of a channel, if the place moves as far as it may
+  double change;   ///< largest change of a channel when the point moves within its bound
 };
 
 double valueOf(const Picture& picture, bool raw, std::size_t index, std::size_t channel) {
@@ -32,8 +32,8 @@ double valueOf(const Picture& picture, bool raw, std::size_t index, std::size_t 
   return raw ? x : linearOfSrgb(x);
 }
 
-/// At `uv`, which may move by `shift` on each axis. The edges of a checker are no matter here:
-/// which colour a sample shows is a decision.
+/// Bounds of a texture at `uv`, which may move by `shift` on each axis. The edges of a checker are
+/// ignored: which of its colours a sample gets is a decision, not a rounding error.
 AlbedoBounds albedoBounds(const Texture& texture, dvec2 uv, dvec2 shift) {
   const double factor = maxNorm(texture.colors[0]);
   if (!texture.row->picture) return {std::max(factor, maxNorm(texture.colors[1])), 0.0};
@@ -41,12 +41,12 @@ AlbedoBounds albedoBounds(const Texture& texture, dvec2 uv, dvec2 shift) {
   const Picture& picture = *texture.image;
   const glm::ivec2 size(widthOf(picture), heightOf(picture));
   const dvec2 st = texture.scale * uv + texture.offset;
-  // Product and sum, the part of 1, the product with the size and the half pixel.
+  // Roundings: product and sum, the fractional part, the product with the size, and the half pixel.
   const dvec2 moved =
       (glm::abs(texture.scale) * shift + 4.0 * e * (glm::abs(st) + 1.0)) * dvec2(size);
   const dvec2 place((st.x - std::floor(st.x)) * size.x - 0.5,
                     (1.0 - (st.y - std::floor(st.y))) * size.y - 0.5);
-  // The pixels that the place may lie between.
+  // Pixels between which the point may lie.
   const glm::ivec2 reach(glm::min(moved, dvec2(64.0)) + 1.0);
   const glm::ivec2 low = glm::ivec2(glm::floor(place)) - reach;
   const glm::ivec2 high = glm::ivec2(glm::floor(place)) + 1 + reach;
@@ -65,7 +65,7 @@ AlbedoBounds albedoBounds(const Texture& texture, dvec2 uv, dvec2 shift) {
     bounds.largest = std::max({bounds.largest, std::abs(min), std::abs(max)});
     range = std::max(range, max - min);
   }
-  // Along each axis the slope is one range per pixel at most.
+  // The slope along each axis is at most one range per pixel.
   bounds.change = factor * (range * std::min(1.0, moved.x + moved.y) + 8.0 * e * bounds.largest);
   bounds.largest *= factor;
   return bounds;
@@ -98,13 +98,13 @@ BoundsOf::Local BoundsOf::onTriangle(dvec2 film, const Reference::Hit& hit, cons
   const std::array<double, 3> weights{1.0 - hit.u - hit.v, hit.u, hit.v};
   std::array<dvec3, 3> p;
   for (int i = 0; i < 3; ++i) p[static_cast<std::size_t>(i)] = space_.apply(mesh.positions[t[i]]);
-  const dvec3 way = space_.apply(hit.position) - eye_;
-  const double distance = glm::length(way);
+  const dvec3 direction = space_.apply(hit.position) - eye_;
+  const double distance = glm::length(direction);
   const dvec3 cross = glm::cross(p[1] - p[0], p[2] - p[0]);
   const double longest =
       std::max({glm::length(p[1] - p[0]), glm::length(p[2] - p[1]), glm::length(p[0] - p[2])});
   const double height = glm::length(cross) / longest;
-  const double cosine = std::abs(glm::dot(glm::normalize(cross), way / distance));
+  const double cosine = std::abs(glm::dot(glm::normalize(cross), direction / distance));
 
   Local local{};
   local.cause = cosine < 0.1 ? fmt::format("seen at cos {:.2g}", cosine)
@@ -113,13 +113,14 @@ BoundsOf::Local BoundsOf::onTriangle(dvec2 film, const Reference::Hit& hit, cons
       std::max({glm::length(p[0] - eye_), glm::length(p[1] - eye_), glm::length(p[2] - eye_)});
   const double aside = sideways(film, distance, farthest);
   local.shift = aside / cosine;
-  // The plane: its normal, 4 e by accurateCross(), corners and edges; the dot products, 3 e each;
-  // what the ray's own turn and the corners' rounding do is in `aside`. Quotient and product 4
-  // e.
+  // Distance along the plane. Roundings: the normal, 4 e by accurateCross(), corners and edges; dot
+  // products, 3 e each; quotient and product, 4 e. `aside` includes the rounding of the ray's
+  // direction and of the corners.
   local.depth = 4.0 * e + (aside + 14.0 * e * distance + 2.0 * e * longest) / (distance * cosine);
-  // Rounded corners, e sqrt(3) / 2 each since |v| <= 1 on each axis, and edges tilt the plane.
+  // The plane is tilted by the rounding of corners, e sqrt(3) / 2 each since |v| <= 1 on each axis,
+  // and of edges.
   local.normal = 8.0 * e + (2.0 + longest) * e / height;
-  const double moved = local.shift / height + 10.0 * e;  // of the weights
+  const double moved = local.shift / height + 10.0 * e;  // change of the weights
   if (!mesh.normals.empty()) {
     std::array<dvec3, 3> n;
     dvec3 sum(0.0);
@@ -140,7 +141,7 @@ BoundsOf::Local BoundsOf::onTriangle(dvec2 film, const Reference::Hit& hit, cons
   }
   const dvec2 low = glm::min(uv[0], glm::min(uv[1], uv[2]));
   const dvec2 high = glm::max(uv[0], glm::max(uv[1], uv[2]));
-  // Coordinates are rounded, and so is their sum.
+  // Both the coordinates and their weighted sum are rounded.
   local.uvShift = (high - low) * moved + 4.0 * e * glm::max(glm::abs(low), glm::abs(high));
   return local;
 }
@@ -149,22 +150,22 @@ BoundsOf::Local BoundsOf::onSphere(dvec2 film, const Reference::Hit& hit,
                                    const Sphere& sphere) const {
   const double radius = sphere.radius * space_.scale;
   const dvec3 normal = glm::normalize(hit.position - sphere.centre);
-  const dvec3 way = space_.apply(hit.position) - eye_;
-  const double distance = glm::length(way);
-  const double cosine = std::abs(glm::dot(normal, way / distance));
+  const dvec3 direction = space_.apply(hit.position) - eye_;
+  const double distance = glm::length(direction);
+  const double cosine = std::abs(glm::dot(normal, direction / distance));
 
   Local local{};
   local.cause = cosine < 0.1 ? fmt::format("sphere seen at cos {:.2g}", cosine)
                              : fmt::format("sphere of radius {:.2g}", radius);
-  // A line that moves sideways by s turns the normal by s / (r cos), and near the outline by
-  // sqrt(2 s / r) at most. The normal's length errs by 8 e (sphere.h).
+  // A line that moves sideways by s rotates the normal by s / (r cos), and near the outline by at
+  // most sqrt(2 s / r). The normal's length errs by 8 e (sphere.h).
   const double aside =
       sideways(film, distance, glm::length(space_.apply(sphere.centre) - eye_) + radius);
-  const double turn = std::min(aside / (radius * cosine), std::sqrt(2.0 * aside / radius));
-  local.normal = 8.0 * e + turn;
-  local.shift = turn * radius;
+  const double rotation = std::min(aside / (radius * cosine), std::sqrt(2.0 * aside / radius));
+  local.normal = 8.0 * e + rotation;
+  local.shift = rotation * radius;
   local.depth = 4.0 * e + (aside + local.shift) / distance;
-  // Longitude and latitude, each as a share and within 4 e (turn.glsl).
+  // Longitude and latitude as fractions of a turn, each within 4 e (texture/angle.glsl).
   const double parallel = std::hypot(normal.x, normal.y);
   local.uv = {0.5 + std::atan2(normal.y, normal.x) / (2.0 * pi),
               0.5 + std::asin(std::clamp(normal.z, -1.0, 1.0)) / pi};
@@ -183,7 +184,7 @@ ValueBounds BoundsOf::at(dvec2 film, const Reference::Hit& hit) const {
                                   ? albedoBounds(*mesh->bsdf.texture, local.uv, local.uvShift)
                                   : AlbedoBounds{maxNorm(mesh->bsdf.albedo), 0.0};
   ValueBounds bounds{local.depth, local.normal, 0.0, local.cause};
-  // Lambert's law: cos / d^2 changes by 3 shifts / d; a light is rounded too.
+  // cos / d^2 changes by 3 shifts / d; the light's position is rounded, too.
   const dvec3 point = space_.apply(hit.position);
   for (const PointLight& light : scene_.lights) {
     const dvec3 position = space_.apply(light.position);

@@ -9,21 +9,22 @@
 
 namespace laver {
 
-/// How far float arithmetic may take what the kernels compute at a hit from the reference's values.
+/// Bounds of the difference between the kernels' float values at a hit and the reference's.
 struct ValueBounds {
   double depth;     ///< relative
   double normal;    ///< angle of the shading normal
-  double radiance;  ///< of direct light, absolute, per channel; visibility aside
+  double radiance;  ///< of direct light, absolute, per channel, without occlusion
   std::string cause;
 };
 
-/// Bounds at the hits of a scene's camera rays, to first order in e = 2^-24, by the scene alone.
+/// Bounds at the hits of a scene's camera rays, derived from the scene alone, to first order in e =
+/// 2^-24.
 class BoundsOf {
  public:
-  /// Both outlive it.
+  /// Both must outlive this object.
   BoundsOf(const Scene& scene, const Rounding& rounding);
 
-  /// `hit` is that of the ray through `film`.
+  /// `hit` is the hit of the ray through `film`.
   ValueBounds at(glm::dvec2 film, const Reference::Hit& hit) const;
 
  private:

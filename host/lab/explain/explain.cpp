@@ -27,7 +27,7 @@ void add(ExplainedChannel& channel, double ulps, bool within, int x, int y) {
   channel.unexplained += within ? 0 : 1;
 }
 
-/// Counts of up to 1, 4, 16 ... ulp.
+/// Histogram: counts of values up to 1, 4, 16 ... ulp.
 std::string histogram(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   std::string text;

@@ -19,12 +19,13 @@ using glm::dvec3;
 using reference::Numbers;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Eight steps around, and none: an edge within one step of the middle parts some of them.
+/// The centre and eight steps around it. An edge within one step of the centre separates some of
+/// them.
 constexpr std::array<dvec2, 9> kAround{dvec2(0, 0),  dvec2(1, 0),  dvec2(-1, 0),
                                        dvec2(0, 1),  dvec2(0, -1), dvec2(1, 1),
                                        dvec2(1, -1), dvec2(-1, 1), dvec2(-1, -1)};
 
-/// Every fourth pixel of every fourth row.
+/// Distance of the nearest hit, from every fourth pixel of every fourth row.
 double nearestOf(const Camera& camera, const Reference& reference) {
   double nearest = kInfinity;
   for (int y = 0; y < camera.height; y += 4)
@@ -36,8 +37,8 @@ double nearestOf(const Camera& camera, const Reference& reference) {
 
 bool drawsDirections(const Scene& scene) { return scene.integrator.row->needs.numbers; }
 
-/// The largest difference of a channel that is beyond `tolerance` times max(1, |wanted|), else 0.
-/// NaN differs from everything.
+/// The largest difference in a channel that exceeds `tolerance` * max(1, |wanted|), else 0. NaN
+/// differs from everything.
 double differenceOf(dvec3 got, dvec3 wanted, double tolerance) {
   double largest = 0.0;
   for (int c = 0; c < 3; ++c) {
@@ -52,7 +53,7 @@ dvec3 pixelOf(const Image& image, int x, int y) {
   return {image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)};
 }
 
-/// Whether some sample that the filter of a pixel reaches is as wanted.
+/// Whether a sample that the filter of a pixel reaches satisfies `wanted`.
 template <class Wanted>
 bool anySample(const Scene& scene, const Reference& reference, int x, int y, const Wanted& wanted) {
   const int apron = static_cast<int>(apronOf(scene.filter.radius));
@@ -72,7 +73,8 @@ Judge::Judge(const Scene& scene, const Reference& reference)
       rounding_(scene),
       nearest_(nearestOf(scene.camera, reference)) {}
 
-// Of what the rays may meet: an edge of something near may move to where only the far is seen.
+// The nearest hit of the rays around: rounding may move the edge of a near object to where the
+// centre ray hits something far.
 double Judge::nearestDistance(dvec2 film) const {
   const double step = rounding_.ofHit(film, nearest_);
   double nearest = kInfinity;

@@ -13,7 +13,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-/// One sample per pixel that stays in its pixel.
+/// One sample per pixel that affects no other pixel.
 Scene oneSample(Scene scene, const IntegratorUse& integrator) {
   scene.integrator = integrator;
   scene.sampler.sampleCount = 1;
@@ -25,8 +25,8 @@ bool looksBeyondTheHit(const IntegratorUse& integrator) {
   return integrator.row->needs.lights || integrator.row->needs.numbers;
 }
 
-/// Every primitive with a mesh of its own, whose albedo is its number: floats hold both parts
-/// exactly. Coordinates, and so the kernels' tree, are the same.
+/// The scene with one mesh per primitive, whose albedo encodes its number in two parts that floats
+/// hold exactly. Coordinates, and so the kernels' tree, are unchanged.
 Scene numbered(const Scene& scene) {
   Scene result = oneSample(scene, {&integrators::albedo});
   result.meshes.clear();
@@ -48,7 +48,7 @@ Scene numbered(const Scene& scene) {
   return result;
 }
 
-/// The number that a pixel of its picture shows; none for a miss.
+/// The primitive's number that a pixel of numbered() encodes; none for a miss.
 std::optional<std::uint32_t> idOf(dvec3 pixel) {
   const auto number =
       static_cast<std::uint32_t>(pixel.x) + (static_cast<std::uint32_t>(pixel.y) << 12);
@@ -90,8 +90,8 @@ SampleComparison::SampleComparison(const Scene& scene, const Scene& judged,
   if (hasValue_) value_ = render(oneSample(scene, scene.integrator));
 }
 
-// Film positions are floats: some lie on the border of two pixels, and the box filter gives them to
-// both.
+// Film positions are floats: some lie on the border of two pixels, and the box filter counts them
+// in both.
 bool SampleComparison::showsOneSample(int x, int y) const {
   int count = 0;
   for (int py = std::max(y - 1, 0); py <= std::min(y + 1, height() - 1); ++py)
@@ -131,8 +131,8 @@ ComparedSample SampleComparison::at(int x, int y) const {
   return sample;
 }
 
-// Without a bound it is a background, of which a lookup interpolates four pixels and takes a
-// product: 16 e, or as much as another place that rounding may look up.
+// Without a bound the value is a background's, which interpolates four pixels and takes a product:
+// 16 e, or the change within the film positions that rounding may reach.
 void SampleComparison::compareValue(ComparedSample& sample, int x, int y,
                                     std::optional<double> bound) const {
   const dvec2 film(reference_.samplePosition(x, y, 0));
@@ -147,7 +147,7 @@ void SampleComparison::compareValue(ComparedSample& sample, int x, int y,
   if (!explained) sample.unexplained = fmt::format("value off by {:.3g}", off);
 }
 
-// Also where the hit is as far away as the reference's, on a coincident surface.
+// Also explains hits at the same distance, on a coincident surface.
 bool SampleComparison::explainsHit(dvec2 film, const Hit& hit, Id id, double distance) const {
   if (judge_.mayHit(film, id, distance)) return true;
   if (!hit || !id) return false;

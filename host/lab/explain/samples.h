@@ -12,26 +12,26 @@
 
 namespace laver {
 
-/// What of a sample is compared where both renderers meet the same primitive. The value is that of
-/// the scene's integrator where it looks beyond the first hit.
+/// The quantities compared where both renderers hit the same primitive. The value is that of the
+/// scene's integrator, if it depends on more than the first hit.
 enum Quantity : std::size_t { kDepth, kNormal, kValue, kQuantities };
 inline constexpr std::array<const char*, kQuantities> kQuantityNames{"depth", "normal", "value"};
 
-/// How one sample compares.
+/// Comparison of one sample.
 struct ComparedSample {
-  bool leftOut = false;         ///< its pixel shows others, too
+  bool leftOut = false;         ///< its pixel shows other samples, too
   bool otherHit = false;        ///< another primitive, or none
-  bool otherOcclusion = false;  ///< a light or a direction that one of the two sees
-  bool explained = false;       ///< either of these, by rounding
+  bool otherOcclusion = false;  ///< a light or direction is occluded in one of the two
+  bool explained = false;       ///< rounding explains otherHit or otherOcclusion
   std::array<double, kQuantities> ulps{-1.0, -1.0, -1.0};  ///< below 0: not compared
   std::array<bool, kQuantities> within{true, true, true};  ///< within its bound
-  std::string unexplained;                                 ///< says what is, if anything
+  std::string unexplained;  ///< description of the unexplained difference, if any
 };
 
-/// One sample per pixel of a scene by the Vulkan renderer, beside the reference's of another.
+/// One sample per pixel of a scene, by the Vulkan renderer and by the reference.
 class SampleComparison {
  public:
-  /// Renders; the scenes are those of explain(). Throws Error(Device).
+  /// Renders the scene; parameters as in explain(). Throws Error(Device).
   SampleComparison(const Scene& scene, const Scene& judged, const VulkanOptions& vulkan);
 
   int width() const { return ids_.width; }
@@ -39,7 +39,7 @@ class SampleComparison {
   bool hasValue() const { return hasValue_; }
 
   ComparedSample at(int x, int y) const;
-  /// The largest term of the bounds of a pixel's sample.
+  /// The largest term of the bound of a pixel's sample, as text.
   std::string causeAt(int x, int y) const;
 
  private:

@@ -1,6 +1,6 @@
-// Compiled several times into shared libraries of their own, so that the linker does not take one
-// way's inline functions for another's. LAVER_TWIN names the function to export, LAVER_TWIN_NAME
-// the way.
+// Compiled several times into separate shared libraries, so that the linker does not merge inline
+// functions that were compiled with different options. LAVER_TWIN is the name of the exported
+// function, LAVER_TWIN_NAME names the options.
 #include "stability/twin/twin.h"
 
 #include "bvh/walk.h"
@@ -10,7 +10,7 @@ namespace {
 
 using namespace shared;
 
-/// As the kernels decide it.
+/// The kernels' condition for entering a box.
 bool enters(const BoxSpan& span, float last) { return span.near <= span.far && span.depth <= last; }
 
 TestHit closestOne(const Bvh& bvh, const TestRay& r) {

@@ -25,7 +25,8 @@ std::vector<shared::Triangle> sortedById(const Bvh& bvh) {
   return list;
 }
 
-/// Neither is zero. Products of floats are exact in double, and so are most differences.
+/// The exact unit normal, up to double rounding. No triangle has area 0. Products of floats are
+/// exact in double, and so are most differences.
 dvec3 normalOf(const shared::Triangle& t) {
   using LongVec = glm::vec<3, long double, glm::defaultp>;
   const LongVec a(t.a), n = glm::cross(LongVec(t.b) - a, LongVec(t.c) - a);
@@ -63,10 +64,10 @@ std::vector<MethodRay> MethodJudge::aimed(std::span<const MethodRay> rays) const
     const auto t = *std::lower_bound(byId_.begin(), byId_.end(), truth.id,
                                      [](const auto& x, std::uint32_t id) { return x.id < id; });
     const glm::vec3 corners[] = {t.a, t.b, t.c};
-    const std::size_t turn = list.size();
-    const glm::vec3 from = corners[turn % 3], to = corners[(turn + 1) % 3];
-    // Corners, midpoints, and points between by the golden ratio.
-    const float share = turn / 3 % 3 == 0 ? 0.0F : turn / 3 % 3 == 1 ? 0.5F : 0.381966F;
+    const std::size_t number = list.size();
+    const glm::vec3 from = corners[number % 3], to = corners[(number + 1) % 3];
+    // Corners, midpoints, and points that divide an edge by the golden ratio.
+    const float share = number / 3 % 3 == 0 ? 0.0F : number / 3 % 3 == 1 ? 0.5F : 0.381966F;
     list.push_back({ray.origin, 0.0F, from + (to - from) * share - ray.origin, 1e30F});
   }
   return list;

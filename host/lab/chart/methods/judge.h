@@ -8,24 +8,24 @@
 
 namespace laver::chart {
 
-/// What exact arithmetic says of float rays and float triangles, and what floats may say instead.
+/// Compares methods' hits with the exact hits of float rays and float triangles.
 class MethodJudge {
  public:
-  /// `bvh` outlives this.
+  /// `bvh` must outlive this object.
   explicit MethodJudge(const Bvh& bvh);
 
-  /// Adds rays at edges and corners of the triangles that these rays meet, from the same origins.
+  /// Rays from the origins of `rays` towards edges and corners of the triangles that these hit.
   std::vector<MethodRay> aimed(std::span<const MethodRay> rays) const;
 
-  /// Finds the truth for rays whose answers are judged below.
+  /// Computes the exact hits of the rays whose hits are judged below.
   void expect(std::span<const MethodRay> rays);
 
-  /// 99th percentiles over the rays where the answer is the true triangle: of t in ulp, and of the
-  /// normal in 2^-24, whichever its side.
+  /// 99th percentiles of the errors over the rays that hit the right triangle: of t in ulp, and of
+  /// the normal, either sign, in units of 2^-24.
   double t99(std::span<const MethodHit> hits) const;
   double normal99(std::span<const MethodHit> hits) const;
 
-  /// Answers that are neither the truth nor explained by rounding (rounded_hits.h).
+  /// Number of hits that are neither exact nor explained by rounding (rounded_hits.h).
   std::uint64_t unexplained(std::span<const MethodHit> hits) const;
 
  private:

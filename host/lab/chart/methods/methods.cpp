@@ -9,13 +9,13 @@
 namespace laver::chart {
 namespace {
 
-/// By their numbers in shared/charted.h.
+/// Names by the numbers of shared/charted.h.
 constexpr const char* kTriangles[] = {"Moeller-Trumbore", "Woop, plain products", "Woop with Kahan",
                                       "ours"};
 constexpr const char* kBoxes[] = {"plain slabs", "robust slabs", "ours"};
 constexpr const char* kNodes[] = {"32 bits", "8 bits"};
 
-/// Through the pixels' middles, tile after tile of 8 x 8 pixels as laver traces them.
+/// Rays through the pixel centres, in tiles of 8 x 8 pixels, the order in which laver traces them.
 std::vector<MethodRay> cameraRays(const Packed& data) {
   const shared::Params& p = data.params;
   const std::uint32_t width = p.filmSize.x, height = p.filmSize.y;
@@ -37,7 +37,8 @@ std::vector<MethodRay> cameraRays(const Packed& data) {
 std::vector<MethodPoint> chartMethods(const Scene& scene, const std::string& device,
                                       std::size_t runs, const std::function<bool()>& stop) {
   if (hasSpheres(scene))
-    throw Error(ExitCode::Usage, "its methods meet triangles, and the scene has a sphere");
+    throw Error(ExitCode::Usage,
+                "its methods intersect triangles only, and the scene has a sphere");
   const Packed data = pack(scene, {}, uploadsOf(scene, {}));
   if (data.bvh.triangles.empty()) return {};
   MethodTracer tracer(device, data.bvh);
@@ -51,7 +52,7 @@ std::vector<MethodPoint> chartMethods(const Scene& scene, const std::string& dev
     for (std::uint32_t b = 0; b < std::size(kBoxes); ++b)
       for (const bool quantised : {false, true}) {
         if (stop && stop()) return {};
-        tracer.take({t, b, quantised});
+        tracer.use({t, b, quantised});
         MethodPoint point{kTriangles[t], kBoxes[b], kNodes[quantised ? 1 : 0]};
         std::vector<double> nanoseconds;
         std::vector<MethodHit> hits;

@@ -9,19 +9,20 @@
 
 namespace laver::chart {
 
-/// Panel C: one way to meet triangles through a tree, without any noise.
+/// One intersection method: a triangle test with a box test and a node format. Its errors are free
+/// of sampling noise.
 struct MethodPoint {
   std::string triangles, boxes, nodes;  ///< "Moeller-Trumbore", "plain slabs", "32 bits"
-  double nanoseconds = 0;               ///< a camera ray, median
+  double nanoseconds = 0;               ///< per camera ray, median
   double quartiles[2] = {0, 0};
-  double t99 = 0, normal99 = 0;  ///< 99th percentile of the errors: ulp of t, 2^-24 of the normal
-  std::uint64_t rays = 0,
-                unexplained = 0;  ///< aimed at edges and corners: other answers than exact
+  double t99 = 0, normal99 = 0;   ///< 99th percentile of the errors: ulp of t, 2^-24 of the normal
+  std::uint64_t rays = 0;         ///< aimed at edges and corners
+  std::uint64_t unexplained = 0;  ///< wrong hits of these that rounding does not explain
 };
 
-/// Every triangle test with every box test and form of nodes, on a Vulkan device: a camera ray for
-/// each pixel of the scene's film, timed `runs` times, and as many rays aimed at an edge or a
-/// corner of what these meet. None where `stop` ended it. Throws Error(Device).
+/// Measures every triangle test with every box test and node format on a Vulkan device: one camera
+/// ray per pixel of the scene's film, timed `runs` times, and as many rays aimed at edges and
+/// corners of the triangles that these hit. Empty if `stop` returned true. Throws Error(Device).
 std::vector<MethodPoint> chartMethods(const Scene& scene, const std::string& device,
                                       std::size_t runs, const std::function<bool()>& stop);
 

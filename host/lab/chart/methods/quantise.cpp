@@ -35,18 +35,18 @@ Box tighten(Bvh& bvh, std::uint32_t ref) {
   return box;
 }
 
-/// A float above 0 by its biased exponent.
+/// The power of two with a biased exponent.
 float powerOf(std::uint32_t exponent) { return std::bit_cast<float>(exponent << 23); }
 
-/// Steps from the origin whose side is the nearest outside `value`: below it for `lower`. 256 where
-/// 255 do not reach.
+/// The number of steps from the origin to the nearest grid plane outside `value`: below it if
+/// `lower`, else above. 256 if 255 steps do not suffice.
 std::uint32_t stepsTo(float origin, float step, float value, bool lower) {
   const double exact =
       (static_cast<double>(value) - static_cast<double>(origin)) / static_cast<double>(step);
   auto steps = static_cast<std::int64_t>(
       std::clamp(lower ? std::floor(exact) : std::ceil(exact), 0.0, 256.0));
   const auto side = [&] { return origin + static_cast<float>(steps) * step; };
-  // The sum rounds.
+  // The sum is rounded.
   while (lower && steps > 0 && side() > value) --steps;
   while (!lower && steps < 256 && side() < value) ++steps;
   return static_cast<std::uint32_t>(steps);

@@ -7,16 +7,15 @@
 
 namespace laver::chart {
 
-/// The tree with its boxes as tight as their triangles, which the builder grows for laver's own
-/// test.
+/// The tree with tight boxes instead of those that the builder has grown for laver's test.
 Bvh withTightBoxes(Bvh bvh);
 
-/// Nodes of 8 bits a side, rounded outwards: a texel with the origin (floats) and three biased
-/// exponents of 8 bits, then 8 texels: lo, hi (8 bits an axis), reference, -. Shaders and host find
-/// a side as origin + steps * 2^exponent, rounded once.
+/// Nodes with 8 bits per box bound, rounded outwards: a texel with the origin (floats) and three
+/// biased exponents of 8 bits, then 8 texels: lo, hi (8 bits per axis), reference, unused. A bound
+/// is origin + steps * 2^exponent, rounded once.
 std::vector<glm::uvec4> quantised(const Bvh& bvh);
 
-/// A side of a quantised node, as the shader finds it.
+/// A box bound of a quantised node, computed as in the shader.
 glm::vec3 sideOf(const glm::uvec4& head, std::uint32_t steps);
 
 }  // namespace laver::chart

@@ -21,13 +21,14 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double cross(dvec2 a, dvec2 b) { return a.x * b.y - a.y * b.x; }
 
-/// A triangle beside a ray: places in the plane across the largest axis, depths along it.
+/// A triangle relative to a ray: positions in the plane across the ray's dominant axis, depths
+/// along it.
 struct Seen {
   std::uint32_t id;
   std::array<dvec2, 3> p;
   std::array<double, 3> z;
-  double bound = 0;     ///< the largest of its edges'
-  double distance = 0;  ///< of the ray; 0 inside
+  double bound = 0;     ///< of the movement of its edges by rounding
+  double distance = 0;  ///< from the ray; 0 inside
 
   bool covers(dvec2 at) const {
     bool negative = false, positive = false;
@@ -38,22 +39,22 @@ struct Seen {
     }
     return negative != positive;
   }
-  /// At a point, held between the corners' as depthOf() holds it.
+  /// Depth at a point, clamped between the corners' as in depthOf().
   double depth(dvec2 at) const {
     const double area = cross(p[1] - p[0], p[2] - p[0]);
-    const auto [least, most] = std::minmax({z[0], z[1], z[2]});
-    if (area == 0) return least;
+    const auto [low, high] = std::minmax({z[0], z[1], z[2]});
+    if (area == 0) return low;
     const double b = cross(at - p[0], p[2] - p[0]) / area, c = cross(p[1] - p[0], at - p[0]) / area;
-    return std::clamp(z[0] + b * (z[1] - z[0]) + c * (z[2] - z[0]), least, most);
+    return std::clamp(z[0] + b * (z[1] - z[0]) + c * (z[2] - z[0]), low, high);
   }
-  /// How far rounding takes that: as far as moving sideways by `reach`, and 8 e for the mean.
+  /// Error of depth(): the change under a sideways move by `reach`, and 8 e for the mean.
   double slack(double reach) const {
     const double area = std::abs(cross(p[1] - p[0], p[2] - p[0]));
-    const auto [least, most] = std::minmax({z[0], z[1], z[2]});
+    const auto [low, high] = std::minmax({z[0], z[1], z[2]});
     const dvec2 rise = (z[1] - z[0]) * (p[2] - p[0]) - (z[2] - z[0]) * (p[1] - p[0]);
     const double moved = reach * glm::length(rise);
-    return std::min(moved, (most - least) * area) / std::max(area, 1e-300) +
-           8.0 * e * std::max(std::abs(least), std::abs(most));
+    return std::min(moved, (high - low) * area) / std::max(area, 1e-300) +
+           8.0 * e * std::max(std::abs(low), std::abs(high));
   }
 };
 
@@ -82,7 +83,7 @@ Seen seenFrom(const shared::Triangle& triangle, const MethodRay& ray) {
   return seen;
 }
 
-/// Triangles that lie within their own bound of the ray and within its ends.
+/// Triangles within their own bound of the ray and within its ends.
 std::vector<Seen> nearRay(const Bvh& bvh, const MethodRay& ray) {
   const dvec3 o(ray.origin), d(ray.direction);
   const double scale = maxNorm(d);
@@ -100,16 +101,16 @@ std::vector<Seen> nearRay(const Bvh& bvh, const MethodRay& ray) {
   };
   walk(bvh, 0, passes, [&](const shared::Triangle& triangle) {
     const Seen seen = seenFrom(triangle, ray);
-    const auto [least, most] = std::minmax({seen.z[0], seen.z[1], seen.z[2]});
-    if (seen.distance <= seen.bound && most >= static_cast<double>(ray.tmin) * scale &&
-        least <= static_cast<double>(ray.tmax) * scale)
+    const auto [low, high] = std::minmax({seen.z[0], seen.z[1], seen.z[2]});
+    if (seen.distance <= seen.bound && high >= static_cast<double>(ray.tmin) * scale &&
+        low <= static_cast<double>(ray.tmax) * scale)
       list.push_back(seen);
     return false;
   });
   return list;
 }
 
-/// Cuts a convex polygon by the regular one of 16 sides around the disc.
+/// Clips a convex polygon to the regular polygon of 16 sides around the disc.
 std::vector<dvec2> clipped(std::vector<dvec2> polygon, double radius) {
   for (int side = 0; side < 16 && !polygon.empty(); ++side) {
     const double angle = std::numbers::pi * side / 8.0;
@@ -126,7 +127,8 @@ std::vector<dvec2> clipped(std::vector<dvec2> polygon, double radius) {
   return polygon;
 }
 
-/// Its middle, and points just within and half-way to its corners and sides.
+/// Test points in a polygon: its centre, and points just inside and further from its corners and
+/// sides.
 std::vector<dvec2> pointsIn(const std::vector<dvec2>& polygon) {
   dvec2 middle(0);
   for (const dvec2 p : polygon) middle += p / static_cast<double>(polygon.size());

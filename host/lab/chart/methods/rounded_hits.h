@@ -6,17 +6,17 @@
 
 namespace laver::chart {
 
-/// Which triangles a float ray may be said to meet first when corners and edges are rounded as
-/// laver's test rounds them: cornerShift() and edgeShift() of reference/rounding.h. Both triangles
-/// of an edge round alike, so an edge that passes the ray within their sum may lie on its other
-/// side, and nothing else may change.
+/// Which triangles rounding may make the first hit of a float ray, if corners and edges are rounded
+/// as in laver's test: cornerShift() and edgeShift() of reference/rounding.h. Both triangles of an
+/// edge round alike, so an edge within the sum of these of the ray may lie on its other side, and
+/// nothing else may change.
 class RoundedHits {
  public:
-  /// `bvh` outlives this.
+  /// `bvh` must outlive this object.
   explicit RoundedHits(const Bvh& bvh) : bvh_(bvh) {}
 
-  /// Whether the answer is first at a point that is as near the ray as the largest of the bounds
-  /// of the edges that are near it; NO_HIT: whether there is nothing at such a point.
+  /// Whether triangle `id` is the first hit at a point that is no farther from the ray than the
+  /// largest bound of the edges near it; for NO_HIT, whether such a point has no hit.
   bool explains(const MethodRay& ray, std::uint32_t id) const;
 
  private:

@@ -24,7 +24,7 @@ constexpr std::array kTypes = {
     VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
     VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
 
-/// Texels in a buffer, with a view.
+/// A texel buffer with its view.
 struct Texels {
   Texels(const Device& device, const char* what, std::span<const std::byte> data)
       : buffer(device, what, Buffer::Use::Texels, data.size()),
@@ -70,7 +70,7 @@ struct MethodTracer::Impl {
   Device device;
   Bindings bindings;
   std::uint32_t stack, root;
-  std::deque<Texels> nodes;  // laver's, tight, and both quantised
+  std::deque<Texels> nodes;  // as built, tight, and both quantised
   std::optional<Texels> triangles, rays;
   Buffer hits, ids;
   std::optional<Kernel> kernel;

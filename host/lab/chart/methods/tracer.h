@@ -9,7 +9,7 @@
 
 namespace laver::chart {
 
-/// As texels: origin + t * direction, tmin <= t <= tmax.
+/// Rays origin + t * direction, tmin <= t <= tmax, as two texels.
 struct MethodRay {
   glm::vec3 origin;
   float tmin;
@@ -19,27 +19,27 @@ struct MethodRay {
 struct MethodHit {
   glm::vec3 normal;  ///< of either sign
   float t;
-  std::uint32_t id;  ///< shared::NO_HIT where nothing is met
+  std::uint32_t id;  ///< shared::NO_HIT for a miss
 };
 
-/// Ways to intersect by their numbers in shared/charted.h.
+/// An intersection method, by the numbers of shared/charted.h.
 struct Method {
   std::uint32_t triangles, boxes;
   bool quantised;
 };
 
-/// Rays from memory through a tree by shaders/charted/methods.comp.
+/// Traces rays from memory through a tree with shaders/charted/methods.glsl.
 class MethodTracer {
  public:
-  /// `device` as choosePhysicalDevice takes it. Throws Error(Device).
+  /// `device` is selected as by choosePhysicalDevice(). Throws Error(Device).
   MethodTracer(const std::string& device, const Bvh& bvh);
   ~MethodTracer();
   MethodTracer(const MethodTracer&) = delete;
   MethodTracer& operator=(const MethodTracer&) = delete;
 
-  /// Takes a method: compiles its kernel.
-  void take(const Method& method);
-  /// Nearest hits; `seconds` becomes the time of the dispatch, with nothing else.
+  /// Selects a method and compiles its kernel.
+  void use(const Method& method);
+  /// Nearest hits; sets `seconds` to the time of the dispatch alone.
   std::vector<MethodHit> trace(std::span<const MethodRay> rays, double& seconds);
 
  private:
