@@ -23,7 +23,7 @@ std::string rowsText(const FilmState& state) {
   std::string text;
   const int height = state.sums.height;
   for (int row = 0; row < height;) {
-    const int rows = state.alike(row, height - row);
+    const int rows = state.equalRows(row, height - row);
     text += fmt::format("{}{}x{}", row == 0 ? "" : " ", rows,
                         state.samples[static_cast<std::size_t>(row)]);
     row += rows;

@@ -15,20 +15,20 @@
 namespace laver {
 namespace {
 
-/// Entries that suffice for the trees of tens of thousands to a million triangles (48 to 63).
+/// Sufficient for trees of tens of thousands to a million triangles (48 to 63 entries).
 constexpr std::uint32_t kLikelyStack = 64;
 
-/// A stack never holds more subtrees than there are primitives.
+/// A stack never holds more entries than there are primitives.
 std::uint32_t likelyStack(const Scene& scene) {
   return static_cast<std::uint32_t>(
       std::clamp<std::uint64_t>((primitivesOf(scene) + 7) / 8 * 8, 8, kLikelyStack));
 }
 
-/// GLSL file of a filter's weights.
+/// Name of the GLSL file of a filter.
 std::string filterText(const Filter& filter, bool noriTable) {
   if (noriTable) return "table";
   if (!filter.row->narrowForm) return filter.row->name;
-  // exp(alpha * apron) and its inverse must stay far from the range of floats.
+  // exp(alpha * apron) and its inverse must be well within the range of floats.
   const double alpha = 0.5 / (filter.stddev * filter.stddev);
   const std::uint32_t apron = apronOf(filter.radius);
   return apron <= 8 && alpha * apron <= 60.0 ? std::string(filter.row->name) + "_narrow"
@@ -50,12 +50,12 @@ std::vector<std::string> bsdfsOf(const Scene& scene) {
 std::vector<std::string> texturesOf(const Scene& scene) {
   std::vector<std::string> names;
   for (const Mesh& mesh : scene.meshes)
-    if (shows(mesh.bsdf.texture)) addOnce(names, textureName(*mesh.bsdf.texture));
+    if (isVisible(mesh.bsdf.texture)) addOnce(names, textureName(*mesh.bsdf.texture));
   std::sort(names.begin(), names.end());
   return names;
 }
 
-/// Texts of the user's own BSDFs, each once.
+/// Texts of the users' BSDFs, without duplicates.
 std::vector<UserBsdfText> userBsdfsOf(const Scene& scene) {
   std::vector<UserBsdfText> texts;
   for (const Mesh& mesh : scene.meshes) {
@@ -70,11 +70,11 @@ std::vector<UserBsdfText> userBsdfsOf(const Scene& scene) {
   return texts;
 }
 
-/// Whether the meshes' records differ in what a surface shows.
+/// Whether the meshes' records differ visibly.
 bool materialsDiffer(const Scene& scene) {
   const auto& meshes = scene.meshes;
   return std::any_of(meshes.begin(), meshes.end(), [&](const Mesh& m) {
-    return !alike(m, meshes.front()) || (m.bsdf.texture && meshes.size() > 1);
+    return !sameMaterial(m, meshes.front()) || (m.bsdf.texture && meshes.size() > 1);
   });
 }
 
@@ -83,7 +83,7 @@ bool emits(const Scene& scene) {
                      [](const Mesh& mesh) { return mesh.light.has_value(); });
 }
 
-/// A BSDF with properties of its own beside its colour, or several kinds, need records.
+/// Records are needed if a BSDF has numbers besides its colour, or if there are several BSDFs.
 bool needsBsdfRecords(const Scene& scene) {
   return bsdfsOf(scene).size() > 1 ||
          std::any_of(scene.meshes.begin(), scene.meshes.end(), hasNumbers);
@@ -94,7 +94,7 @@ void noteImage(const std::shared_ptr<const Picture>& image, TraceKey& key) {
   (std::holds_alternative<Bitmap>(*image) ? key.byteImages : key.floatImages) = true;
 }
 
-/// What an integrator needs of surfaces' materials, textures and lights.
+/// Sets the part of the key for materials, textures and lights.
 void keyOfShading(const Scene& scene, const IntegratorRow& row, bool surfaces, TraceKey& key) {
   key.bsdfs = bsdfsOf(scene);
   key.userBsdfs = userBsdfsOf(scene);
@@ -116,7 +116,7 @@ void keyOfShading(const Scene& scene, const IntegratorRow& row, bool surfaces, T
   key.bsdfRecords = needsBsdfRecords(scene);
   key.textures = texturesOf(scene);
   for (const Mesh& mesh : scene.meshes)
-    if (shows(mesh.bsdf.texture)) noteImage(mesh.bsdf.texture->image, key);
+    if (isVisible(mesh.bsdf.texture)) noteImage(mesh.bsdf.texture->image, key);
 }
 
 std::string number(double x) {
@@ -124,7 +124,7 @@ std::string number(double x) {
   return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
 }
 
-/// A property of a user's own integrator as a constant of its kernel.
+/// A property of a user's integrator as a constant of its kernel.
 KernelProperty constantOf(const NamedValue& property) {
   const Value& value = property.value;
   if (const auto* x = std::get_if<double>(&value)) return {"float", property.name, number(*x)};
@@ -137,8 +137,8 @@ KernelProperty constantOf(const NamedValue& property) {
           fmt::format("vec3({}, {}, {})", number(v.x), number(v.y), number(v.z))};
 }
 
-TraceKey keyOf(const Scene& scene, const RenderOptions& options, const IntegratorUse& shown) {
-  const IntegratorRow& row = *shown.row;
+TraceKey keyOf(const Scene& scene, const RenderOptions& options, const IntegratorUse& integrator) {
+  const IntegratorRow& row = *integrator.row;
   const bool surfaces = !row.litOnly || !scene.lights.empty();
   TraceKey key;
   key.integrator = row.name;
@@ -157,10 +157,10 @@ TraceKey keyOf(const Scene& scene, const RenderOptions& options, const Integrato
   if (shades(row)) keyOfShading(scene, row, surfaces, key);
   for (const PropertyRow& property : row.properties)
     key.properties.push_back({"float", property.name, ""});
-  if (shown.user) {
-    key.userFile = shown.user->file;
-    key.userText = shown.user->text;
-    for (const NamedValue& value : shown.values) key.properties.push_back(constantOf(value));
+  if (integrator.user) {
+    key.userFile = integrator.user->file;
+    key.userText = integrator.user->text;
+    for (const NamedValue& value : integrator.values) key.properties.push_back(constantOf(value));
   }
   return key;
 }
@@ -171,13 +171,13 @@ bool blackMiss(const Scene& scene, const IntegratorRow& row) {
 
 std::vector<PictureChoice> picturesOf(const Scene& scene, const RenderOptions& options) {
   std::vector<PictureChoice> pictures;
-  const auto add = [&](const IntegratorUse& shown, std::vector<std::string> channels) {
-    pictures.push_back({std::move(channels), keyOf(scene, options, shown), false,
-                        blackMiss(scene, *shown.row), shown});
+  const auto add = [&](const IntegratorUse& integrator, std::vector<std::string> channels) {
+    pictures.push_back({std::move(channels), keyOf(scene, options, integrator), false,
+                        blackMiss(scene, *integrator.row), integrator});
   };
   add(scene.integrator, {"R", "G", "B"});
-  for (Shown& shown : shownBeside(options.more, options.layers))
-    add(useOf(scene, shown.integrator), std::move(shown.channels));
+  for (Shown& layer : shownBeside(options.more, options.layers))
+    add(useOf(scene, layer.integrator), std::move(layer.channels));
   std::vector<std::string> centres = centreChannels(options.layers);
   if (!centres.empty()) {
     add({&integrators::depth}, std::move(centres));
@@ -190,7 +190,7 @@ std::vector<PictureChoice> picturesOf(const Scene& scene, const RenderOptions& o
   return pictures;
 }
 
-/// Everything that one of the pictures reads.
+/// Everything that any of the pictures reads.
 Uploads uploadsOf(const Scene& scene, const std::vector<PictureChoice>& pictures,
                   const RenderOptions& options) {
   Uploads uploads;
@@ -247,7 +247,7 @@ Choices choose(const Scene& scene, const RenderOptions& options, const VulkanOpt
   choices.traversal = traversal.traversal;
   choices.pictures = picturesOf(scene, options);
   for (PictureChoice& picture : choices.pictures) {
-    picture.key.traversal = picture.shown.row->bounces ? Traversal::Lane : choices.traversal;
+    picture.key.traversal = picture.integrator.row->bounces ? Traversal::Lane : choices.traversal;
     picture.key.lockstep = picture.key.bounces && runsPackets(device);
     if (vulkan.wholeFilm) picture.blackMiss = false;
   }
@@ -256,7 +256,7 @@ Choices choose(const Scene& scene, const RenderOptions& options, const VulkanOpt
   choices.gather.apron = apronOf(scene.filter.radius);
   choices.gather.adaptive = options.error > 0.0;
   if (!vulkan.general.empty()) choices = generalised(std::move(choices), vulkan.general);
-  // film/gather_strip.glsl takes no wider filters.
+  // film/gather_strip.glsl supports no wider filters.
   choices.gather.strips = runsPackets(device) && choices.gather.apron <= 4;
   choices.core = coreOf(scene.camera, options);
   choices.tiling = tilingOf(scene, options, vulkan, device.limits, choices.gather.apron);
@@ -322,7 +322,7 @@ Choices generalised(Choices choices, const std::vector<std::string>& parts) {
     if (part == "jump levels" && uploads.jumpLevels != 0) uploads.jumpLevels = 3;
     if (part == "hits") uploads.primitives = true;
     if (part == "index bytes") uploads.indexBytes = 4;
-    // The widest that film/gather_strip.glsl takes.
+    // The widest filter that film/gather_strip.glsl supports.
     if (part == "apron") choices.gather.apron = std::max(4U, choices.gather.apron);
   }
   return choices;

@@ -11,73 +11,75 @@ namespace laver {
 
 struct VulkanOptions;
 
-/// One decision of a render in words.
+/// One decision of a render and its reason, as text.
 struct Reason {
   std::string what, choice, why;
-  std::string saving;  ///< beside bytes; empty: none
+  std::string saving;  ///< other than bytes; empty: none
   std::uint64_t bytesNotUploaded = 0;
 };
 
-/// One of the pictures that are made of a scene from one upload.
+/// One of the pictures that are rendered of a scene from one upload.
 struct PictureChoice {
-  std::vector<std::string> channels;  ///< in the file
+  std::vector<std::string> channels;  ///< of the file
   TraceKey key;
-  bool centres = false;  ///< not samples, but the ray through each pixel's centre
-  /// Rays that hit nothing show black, so that only what the scene covers is traced.
+  bool centres = false;  ///< one ray through each pixel's centre instead of samples
+  /// Rays that hit nothing are black, so that only the part of the film that the scene covers is
+  /// traced.
   bool blackMiss = false;
-  IntegratorUse shown;
+  IntegratorUse integrator;
 };
 
-/// What of the scene goes to the device, for all its pictures together.
+/// The parts of the scene that are uploaded, for all its pictures together.
 struct Uploads {
-  bool primitives = true;   ///< and their tree
-  bool attributes = false;  ///< which material and normals a triangle has
+  bool primitives = true;   ///< primitives and their tree
+  bool attributes = false;  ///< material and normal indices of triangles
   bool normals = false;     ///< vertex normals
-  bool materials = false;   ///< a record per mesh
-  bool textures = false;    ///< a texture record per mesh, texture coordinates
+  bool materials = false;   ///< one record per mesh
+  bool textures = false;    ///< one texture record per mesh, texture coordinates
   bool lights = false;
   bool background = false;
-  bool emission = false;         ///< what meshes emit, and the light sources of light sampling
-  std::uint32_t jumpLevels = 0;  ///< of the tables that `independent` needs
-  bool noriTable = false;        ///< filter weights from Nori's table
-  std::uint32_t indexBytes = 4;  ///< of an index in the attributes of a triangle: 1, 2 or 4
-  std::vector<std::string> bsdfs, textureKinds;  ///< numbered in this order in the records
+  bool emission = false;  ///< radiance that meshes emit, and the light sources of light sampling
+  std::uint32_t jumpLevels = 0;                  ///< levels of the tables that `independent` needs
+  bool noriTable = false;                        ///< filter weights from Nori's table
+  std::uint32_t indexBytes = 4;                  ///< size of an index in the attributes: 1, 2 or 4
+  std::vector<std::string> bsdfs, textureKinds;  ///< records refer to these indices
 };
 
-/// Every decision of a render, made before it starts, each with its reason. The tree alone says
-/// more: how deep the traversal's stack must be.
+/// Every decision of a render, made before it starts, with its reason. Only the depth of the
+/// traversal's stack must wait for the tree.
 struct Choices {
   std::vector<PictureChoice> pictures;  ///< the scene's own first
   GatherKey gather;
   Uploads uploads;
   Traversal traversal = Traversal::Lane;
-  Crop core;  ///< pixels that are wanted
+  Crop core;  ///< pixels of the picture: the film or its crop
   Tiling tiling;
   std::vector<Reason> reasons;
 };
 
-/// What the pictures of a scene need; it depends on no device.
+/// The uploads that the pictures of a scene need, independent of the device.
 Uploads uploadsOf(const Scene& scene, const RenderOptions& options);
 
-/// Decides. Throws Error(Usage) for an unknown traversal and Error(Device) where the device cannot.
+/// Makes all decisions. Throws Error(Usage) for an unknown traversal and Error(Device) for one that
+/// the device does not support.
 Choices choose(const Scene& scene, const RenderOptions& options, const VulkanOptions& vulkan,
                const DeviceInfo& device);
 
-/// Names of the parts of the keys that generalise() makes general: for tests and benches, which
-/// show that a picture keeps its bits and what leaving a part out saves.
+/// Names of the parts that generalised() can make general. Tests and benches use them to show that
+/// a picture keeps its bits and how much time leaving a part out saves.
 const std::vector<std::string>& generalParts();
 
-/// The choices as if the scene needed everything that these parts stand for.
+/// The choices for a scene that needs everything that these parts stand for.
 Choices generalised(Choices choices, const std::vector<std::string>& parts);
 
-/// Bytes that hold any index of a triangle's attributes: 1, 2 or 4. Normal 0 is NO_NORMAL.
+/// Size in bytes that holds any index of a triangle's attributes: 1, 2 or 4. Normal 0 is NO_NORMAL.
 std::uint32_t indexBytesOf(const Scene& scene, bool normals);
 
-/// The form of the attributes on the device.
+/// The texel format of the attributes on the device.
 VkFormat attributeFormat(const Uploads& uploads);
 
-/// Entries of the traversal's stack that a tree needs, rounded up so that scenes alike in size
-/// share a kernel; what the key has where that suffices.
+/// Entries of the traversal's stack for a tree that needs `needed`: `guess`, the size in the key,
+/// if that suffices, else rounded up so that similar scenes share a kernel.
 std::uint32_t stackFor(std::uint32_t guess, std::uint32_t needed);
 
 }  // namespace laver

@@ -9,7 +9,7 @@ namespace laver {
 namespace {
 
 constexpr int kColumns = shared::SLOT_COLUMNS;
-constexpr int kUnits = 256;  // at most: as many groups of rows may begin a rectangle
+constexpr int kUnits = 256;  // limit on the groups of rows at which a rectangle may begin
 
 int multipleBelow(int x) { return x / kColumns * kColumns; }
 
@@ -35,7 +35,7 @@ void Coverage::add(const Crop& pixels) {
   for (int y = std::max(pixels.y0, 0); y < end; ++y) rows_[static_cast<std::size_t>(y)].widen(span);
 }
 
-bool Coverage::holds(const Crop& pixels) const {
+bool Coverage::contains(const Crop& pixels) const {
   const Span span{std::max(pixels.x0, 0), std::min(pixels.x1, width_)};
   if (span.empty()) return true;
   const int end = std::min(pixels.y1, height());
@@ -46,7 +46,7 @@ bool Coverage::holds(const Crop& pixels) const {
   return true;
 }
 
-bool Coverage::meets(const Crop& pixels) const {
+bool Coverage::intersects(const Crop& pixels) const {
   const int end = std::min(pixels.y1, height());
   for (int y = std::max(pixels.y0, 0); y < end; ++y) {
     const Span& row = rows_[static_cast<std::size_t>(y)];
@@ -88,10 +88,11 @@ std::vector<Crop> Coverage::parts(const Crop& area, const Costs& costs) const {
     const int x0 = area.x0 + multipleBelow(std::max(hull.x0 - area.x0, 0));
     units.push_back({x0, y, std::min(hull.x1, area.x1), end});
   }
-  // least[i]: of the first i units; from[i]: where the last rectangle of those begins.
-  std::vector<double> least(units.size() + 1, std::numeric_limits<double>::infinity());
+  // cheapest[i] is the minimum cost of the first i units; from[i] is where the last of its
+  // rectangles begins.
+  std::vector<double> cheapest(units.size() + 1, std::numeric_limits<double>::infinity());
   std::vector<std::size_t> from(units.size() + 1);
-  least[0] = 0;
+  cheapest[0] = 0;
   for (std::size_t i = 0; i < units.size(); ++i) {
     Span hull{0, 0};
     for (std::size_t j = i + 1; j-- > 0;) {
@@ -99,8 +100,8 @@ std::vector<Crop> Coverage::parts(const Crop& area, const Costs& costs) const {
       const double width = hull.x1 - hull.x0;
       const double cost =
           hull.empty() ? 0.0 : width * (units[i].y1 - units[j].y0 + costs.column) + costs.each;
-      if (least[j] + cost < least[i + 1]) {
-        least[i + 1] = least[j] + cost;
+      if (cheapest[j] + cost < cheapest[i + 1]) {
+        cheapest[i + 1] = cheapest[j] + cost;
         from[i + 1] = j;
       }
     }

@@ -6,31 +6,32 @@
 
 namespace laver {
 
-/// The pixels of a film that can see geometry: one span of columns in each row.
+/// The pixels of a film whose rays may hit geometry: one span of columns per row.
 class Coverage {
  public:
-  /// Nothing of a film of that size.
+  /// An empty coverage of a film of that size.
   Coverage(int width, int height);
   static Coverage whole(int width, int height);
   int width() const { return width_; }
   int height() const { return static_cast<int>(rows_.size()); }
 
-  /// Sees these pixels too, as far as the film has them.
+  /// Adds pixels, clipped to the film.
   void add(const Crop& pixels);
-  bool holds(const Crop& pixels) const;
-  /// Some of these pixels see something.
-  bool meets(const Crop& pixels) const;
-  /// All pixels of the film within `reach` columns and rows of those seen.
+  bool contains(const Crop& pixels) const;
+  /// Whether any of these pixels is covered.
+  bool intersects(const Crop& pixels) const;
+  /// All pixels of the film within `reach` columns and rows of covered ones.
   Coverage grown(int reach) const;
-  /// How much of an area is seen, from 0 to 1.
+  /// Share of an area that is covered, 0 to 1.
   double share(const Crop& area) const;
 
-  /// What rectangles cost, in pixels: each for itself, and for each of its columns.
+  /// Costs of rectangles in addition to their area, in pixels: per rectangle, and per column of
+  /// each.
   struct Costs {
     double each = 0, column = 0;
   };
-  /// The cheapest rectangles that hold all that is seen of an area, from the top down; no two have
-  /// a row in common. They begin at multiples of SLOT_COLUMNS from the area's left.
+  /// The cheapest set of rectangles that contain all covered pixels of an area, from the top down;
+  /// no two share a row. They begin at multiples of SLOT_COLUMNS from the area's left.
   std::vector<Crop> parts(const Crop& area, const Costs& costs) const;
 
  private:

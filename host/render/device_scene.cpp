@@ -12,7 +12,7 @@ constexpr VkFormat kTexels = VK_FORMAT_R32G32B32A32_UINT;
 /// again when the size of a texel buffer changes between power of two and not, or when bits 0 to 7
 /// or 8 to 15 of the size, which it takes for mip levels, change between zero and not (its
 /// lp_static_texture_state). The sizes made here are no powers of two and have neither byte zero.
-VkDeviceSize alike(VkDeviceSize bytes, VkDeviceSize texel) {
+VkDeviceSize stableSize(VkDeviceSize bytes, VkDeviceSize texel) {
   if ((bytes & 0xff00U) == 0) bytes += 0x100;
   return (bytes & 0xffU) == 0 ? bytes + texel : bytes;
 }
@@ -64,7 +64,8 @@ void DeviceScene::upload(std::span<const shared::Work> work) {
 
 void DeviceScene::refill(Texels& texels, std::uint32_t binding, const char* name,
                          std::span<const std::byte> data) {
-  const VkDeviceSize bytes = alike(std::max<VkDeviceSize>(data.size(), VkDeviceSize{3} * 16), 16);
+  const VkDeviceSize bytes =
+      stableSize(std::max<VkDeviceSize>(data.size(), VkDeviceSize{3} * 16), 16);
   if (texels.buffer.bytes() < bytes) {
     texels.buffer = Buffer(device_, name, Buffer::Use::Texels, bytes);
     texels.view = texels.buffer.texelView(kTexels);
@@ -74,7 +75,7 @@ void DeviceScene::refill(Texels& texels, std::uint32_t binding, const char* name
 }
 
 Buffer DeviceScene::samples(std::uint32_t written, std::uint32_t read, std::uint64_t texels) {
-  Buffer buffer(device_, "samples", Buffer::Use::StorageTexels, alike(texels * 16, 16));
+  Buffer buffer(device_, "samples", Buffer::Use::StorageTexels, stableSize(texels * 16, 16));
   bindings_.bind(written, buffer);
   bindTexels(read, buffer, VK_FORMAT_R32G32B32A32_SFLOAT);
   return buffer;
@@ -90,10 +91,10 @@ void DeviceScene::bindTexels(std::uint32_t binding, const Buffer& buffer, VkForm
 }
 
 void DeviceScene::upload(const DeviceArray& array) {
-  // A kernel that does not read the binding still needs something bound there.
+  // Every binding needs a buffer, even if the kernel does not read it.
   const VkDeviceSize texel = texelBytes(array.format);
   const VkDeviceSize bytes = std::max<VkDeviceSize>(array.bytes.size() + array.zeros, 3 * texel);
-  Buffer buffer(device_, array.name, Buffer::Use::Texels, alike(bytes, texel));
+  Buffer buffer(device_, array.name, Buffer::Use::Texels, stableSize(bytes, texel));
   if (array.zeros != 0) buffer.fillZero(array.bytes.size());
   if (!array.bytes.empty()) buffer.upload(array.bytes);
   bindTexels(array.binding, buffer, array.format);

@@ -11,7 +11,7 @@ namespace laver {
 /// The descriptor type of each binding of shared/layout.h.
 std::array<VkDescriptorType, shared::BINDINGS> bindingTypes();
 
-/// Everything that one render keeps on the device, bound as shared/layout.h numbers it.
+/// Everything that one render stores on the device, bound as in shared/layout.h.
 class DeviceScene {
  public:
   DeviceScene(const Device& device, const Packed& packed, const Tiling& tiling);
@@ -19,12 +19,12 @@ class DeviceScene {
   const Bindings& bindings() const { return bindings_; }
   const Buffer& film() const { return film_; }
   const Buffer& status() const { return status_; }
-  /// Makes NaN of all samples.
+  /// Sets all samples to NaN.
   void poisonSamples() const;
 
-  /// New parameters for the dispatches that follow.
+  /// Sets the parameters of the following dispatches.
   void upload(const shared::Params& params) const;
-  /// What adaptive sampling reads: the counts of a band's cells, and the work of a pass.
+  /// Buffers of adaptive sampling: the counts of a band's cells, and the work of a pass.
   void upload(std::span<const shared::Count> counts);
   void upload(std::span<const shared::Work> work);
 

@@ -41,34 +41,34 @@ void FilmState::begin(const Settings& now, int width, int height, std::uint32_t 
     return;
   }
   for (const auto& [name, value] : now) {
-    // Named anew, since clang 14 captures no structured binding as it is.
+    // Copied to a plain variable: clang 14 cannot capture structured bindings.
     const auto same = [&name = name](const auto& setting) { return setting.first == name; };
     const auto found = std::find_if(settings.begin(), settings.end(), same);
     const std::string had = found == settings.end() ? "none" : found->second;
     if (had == value) continue;
     if (name == "sampleCount")
       refuse(
-          fmt::format("begun with {} samples a pixel, {} are asked for: this sampler's samples "
+          fmt::format("started with {} samples per pixel, {} are requested: this sampler's samples "
                       "depend on their count, those of sobol do not",
                       had, value));
     if (name == "scene") refuse("the scene or a file that it names has changed");
     refuse(fmt::format("{} was {}, now it is {}", name, had, value));
   }
   if (sums.width != width || sums.height != height || samples.size() != std::size_t(height))
-    refuse(fmt::format("it is not of {}x{} pixels", width, height));
+    refuse(fmt::format("its size is not {}x{} pixels", width, height));
   if (samples[0] > wanted)
-    refuse(fmt::format("it holds {} samples a pixel, {} are asked for", samples[0], wanted));
+    refuse(fmt::format("it holds {} samples per pixel, {} are requested", samples[0], wanted));
   if (finishedRows != 0 && samples[0] != wanted)
     refuse(
-        fmt::format("it was begun without --resume: {} of its rows hold {} samples a pixel and "
-                    "cannot go on to {}",
+        fmt::format("it was started without --resume: {} of its rows hold {} samples per pixel and "
+                    "cannot be continued to {}",
                     finishedRows, samples[0], wanted));
 }
 
-int FilmState::alike(int row, int most) const {
+int FilmState::equalRows(int row, int limit) const {
   const auto first = samples.begin() + row;
   return static_cast<int>(
-      std::find_if(first, first + most, [&](std::uint32_t n) { return n != *first; }) - first);
+      std::find_if(first, first + limit, [&](std::uint32_t n) { return n != *first; }) - first);
 }
 
 std::span<const std::byte> FilmState::bytes(int row, int rows) const {

@@ -13,22 +13,23 @@ namespace laver {
 
 struct DeviceInfo;
 
-/// What a picture's bits depend on: name and value, in the order in which differences are told.
+/// The inputs that determine a picture's bits: name and value, in the order in which differences
+/// are reported.
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
-/// Of a render of what is packed. The sample count is there where the sampler's samples
-/// depend on it.
+/// The settings of a render of a packed scene. They include the sample count if the sampler's
+/// samples depend on it.
 Settings settingsOf(const Scene& scene, const Packed& packed, const Choices& choices,
                     const DeviceInfo& device);
 
-/// The sums of a film, with which a render goes on. Rows count from the top of the picture, and
-/// none holds more samples than those above it.
+/// The sums of a film, from which a render can continue. Rows count from the top of the picture; no
+/// row has more samples than the rows above it.
 class FilmState {
  public:
   enum class Keep {
     Nothing,
-    WhenEnded,  ///< what there is when a render is ended early
-    Always      ///< the sums of every row, 32 bytes a pixel: a finished render goes on, too
+    WhenEnded,  ///< only if a render is stopped early
+    Always      ///< the sums of every row, 32 bytes per pixel, also of a finished render
   };
 
   explicit FilmState(Keep keep = Keep::Nothing) : keep_(keep) {}
@@ -36,22 +37,22 @@ class FilmState {
   Keep keep() const { return keep_; }
   bool empty() const { return sums.pixels.empty(); }
 
-  /// Makes it one of `now` and of a picture of that size. Throws Error(Usage) with one line where
-  /// it holds sums that cannot become `wanted` samples a pixel of that.
+  /// Prepares the state for a render with these settings and size. Throws Error(Usage) with one
+  /// line if its sums cannot be continued to `wanted` samples per pixel.
   void begin(const Settings& now, int width, int height, std::uint32_t wanted);
-  /// Rows from `row` on, `most` or fewer, that hold equally many samples.
-  int alike(int row, int most) const;
-  /// The sums of some rows: a shared::FilmPixel each.
+  /// Number of rows from `row` on, up to `limit`, that have equal sample counts.
+  int equalRows(int row, int limit) const;
+  /// The sums of some rows, one shared::FilmPixel per pixel.
   std::span<const std::byte> bytes(int row, int rows) const;
   void take(int row, int rows, std::span<const std::byte> film, std::uint32_t count);
-  /// Takes the finished pixels of the first rows, whose sums were not kept.
+  /// Stores the finished pixels of the first rows, whose sums were not kept.
   void takeFinished(const Image& image, int rows, std::uint32_t count);
 
-  std::string file;                    ///< it was read from, for messages
-  Image sums;                          ///< sum.R .G .B .A, A the weight, and sum.rest.*, or empty
-  std::vector<std::uint32_t> samples;  ///< a pixel, by row
-  int finishedRows = 0;                ///< from the top: they hold pixels in place of sums
-  std::uint64_t dropped = 0;           ///< samples left out
+  std::string file;  ///< name of the file it was read from
+  Image sums;        ///< channels sum.R .G .B .A, A the weight, and sum.rest.*; or empty
+  std::vector<std::uint32_t> samples;  ///< per pixel, by row
+  int finishedRows = 0;       ///< number of rows at the top that hold pixels instead of sums
+  std::uint64_t dropped = 0;  ///< samples left out
   Settings settings;
 
  private:

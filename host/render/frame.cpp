@@ -14,10 +14,10 @@ namespace {
 
 std::uint32_t groups(std::uint32_t count, std::uint32_t size) { return (count + size - 1) / size; }
 
-/// What a dispatch costs for itself, in samples.
+/// Fixed cost of a dispatch, in samples.
 constexpr double kDispatchSamples = 1000;
 
-/// A part of an area as first and end column and row from its corner.
+/// First and end column and row of a part, relative to the area's corner.
 glm::uvec4 within(const Crop& part, const glm::uvec4& area) {
   const glm::uvec4 edges(part.x0, part.y0, part.x1, part.y1);
   return edges - glm::uvec4(area.x, area.y, area.x, area.y);
@@ -27,7 +27,7 @@ std::span<const std::byte> bytes(const shared::Pass& pass) {
   return std::as_bytes(std::span(&pass, 1));
 }
 
-/// The scene on the device, its film cleared while kernels may still be compiled.
+/// Uploads the scene and clears the film, while kernels may be compiling.
 DeviceScene uploaded(const Device& device, const Packed& packed, const Choices& choices,
                      double& seconds) {
   const Stopwatch watch(seconds);
@@ -58,7 +58,7 @@ void Frame::begin(const PictureChoice& picture) {
   if (work_.fallback.empty()) traversal_ = picture.key.traversal;
   gatherable_ = picture.blackMiss ? covered_.grown(apron())
                                   : Coverage::whole(covered_.width(), covered_.height());
-  onDevice_.upload(paramsOf(picture.shown));
+  onDevice_.upload(paramsOf(picture.integrator));
   if (!first || deeper) compileTrace(traversal_);
 }
 
@@ -69,7 +69,7 @@ shared::Params Frame::paramsOf(const IntegratorUse& integrator) const {
 }
 
 void Frame::seed(std::int64_t seed) const {
-  shared::Params params = paramsOf(picture_->shown);
+  shared::Params params = paramsOf(picture_->integrator);
   packSeed(seed, params);
   onDevice_.upload(params);
 }
@@ -127,10 +127,11 @@ shared::Pass Frame::passOver(const Crop& band) {
   return pass;
 }
 
-/// Only covered pixels have sums, and only the samples that those need are traced.
+/// Splits the pass into rectangles: only covered pixels are gathered, and only the samples that
+/// these need are traced.
 void Frame::planParts(const shared::Pass& pass) {
   const double each = kDispatchSamples / choices_.tiling.samplesPerPass;
-  // Strips begin with the rows above them that reach into theirs.
+  // Each strip also reads the rows above and below that reach into it.
   gathered_ = gatherable_.parts(cropOf(pass.core), {each, 2.0 * apron()});
   Coverage needed(gatherable_.width(), gatherable_.height());
   for (const Crop& part : gathered_) needed.add(part);
@@ -142,8 +143,8 @@ void Frame::forgetDropped() {
   onDevice_.status().upload(std::as_bytes(std::span(&status_, 1)));
 }
 
-/// Where a packet of rays meets more of the scene than one invocation may walk through, this pass
-/// and all that follow go ray by ray: the same bits.
+/// If a packet exceeds the loop iterations that an invocation may run, this pass is traced again,
+/// and all later ones are traced, with `lane`. The bits are the same.
 void Frame::trace(const shared::Pass& pass) {
   const shared::Status before = status_;
   if (mapped()) listWork(pass);
@@ -164,11 +165,11 @@ void Frame::trace(const shared::Pass& pass) {
                             status_.incomplete));
 }
 
-/// All lights in one dispatch, or a few in each of several.
+/// Dispatches a pass once, or several times if there are many lights.
 void Frame::dispatchLights(shared::Pass pass) {
   const Stopwatch watch(work_.traceSeconds);
   // Light sampling draws one light; other integrators sum them all.
-  const bool sums = picture_->key.lights && !picture_->shown.row->needs.emitters;
+  const bool sums = picture_->key.lights && !picture_->integrator.row->needs.emitters;
   const auto lights = sums ? static_cast<std::uint32_t>(packed_.lights.size()) : 0U;
   pass.firstLight = 0;
   do {
@@ -181,7 +182,8 @@ void Frame::dispatchLights(shared::Pass pass) {
   onDevice_.status().download(std::as_writable_bytes(std::span(&status_, 1)));
 }
 
-/// As many samples of a pixel side by side as there are: 64, 16, 4 or 1 in a tile of 64.
+/// Dispatches with decreasing numbers of samples side by side: 64, 16, 4 or 1 per pixel in a tile
+/// of 64.
 void Frame::dispatchSamples(VkCommandBuffer commands, shared::Pass pass) const {
   const Kernel& kernel = kernels_.trace.kernel;
   pass.part = {0, 0, pass.region.z, pass.region.w};
@@ -219,7 +221,7 @@ void Frame::gather(const shared::Pass& given) {
     }
     for (const Crop& part : gathered_) {
       pass.part = within(part, pass.core);
-      // Strips begin where blocks of slots do, or halfway: up to as many columns before the part.
+      // Strips begin at blocks of slots, or halfway, and thus some columns before the part.
       const std::uint32_t columns = pass.part.z - pass.part.x + pass.core.x - pass.region.x;
       kernel.dispatch(commands, onDevice_.bindings(), bytes(pass),
                       {groups(columns, shared::GATHER_GROUP),
@@ -228,7 +230,7 @@ void Frame::gather(const shared::Pass& given) {
   });
 }
 
-/// Lists the work of a pass where cells have counts of their own.
+/// Lists the work of a pass with sample counts by cell.
 void Frame::listWork(const shared::Pass& pass) {
   std::vector<shared::Work> list;
   Coverage needed(gatherable_.width(), gatherable_.height());

@@ -10,60 +10,61 @@
 
 namespace laver {
 
-/// What a frame did, for statistics.
+/// Work of a frame, for statistics.
 struct FrameWork {
   std::uint32_t passes = 0;
   std::uint64_t samples = 0;
   double uploadSeconds = 0, compileSeconds = 0, traceSeconds = 0, gatherSeconds = 0;
-  std::vector<ModuleSource> modules;  ///< of its kernels, in the order of compiling
-  std::string fallback;  ///< why rays were traced one by one in the end; empty: they were not
+  std::vector<ModuleSource> modules;  ///< sources of its kernels, in the order of compilation
+  std::string fallback;               ///< why the traversal changed to `lane`; empty: it did not
 };
 
-/// The film on its device: traces passes of samples of a band and gathers them into the band's
+/// The film on the device: traces passes of samples of a band and gathers them into the band's
 /// sums.
 class Frame {
  public:
-  /// Uploads; then takes the first picture's kernels, which may still be compiled meanwhile.
+  /// Uploads the scene, then waits for the first picture's kernels, which may be compiling
+  /// meanwhile.
   Frame(const Device& device, const Packed& packed, const Choices& choices,
         std::future<Kernels> kernels);
 
-  /// For tests: samples are NaN until they are traced.
+  /// For tests: sets samples to NaN before they are traced.
   void poison() const { onDevice_.poisonSamples(); }
-  /// The passes that follow are those of a picture. Compiles its kernel unless it is there.
+  /// Selects the picture of the following passes and compiles its kernel if necessary.
   void begin(const PictureChoice& picture);
-  /// The share of an area that the present picture may show something in; the rest stays black.
+  /// Share of an area in which the current picture may be nonzero; the rest stays black.
   double coverage(const Crop& area) const { return gatherable_.share(area); }
-  /// From here on a pixel gets as many samples as the map says; null: as many as passes say.
+  /// Selects the sample counts of the following passes: from the map, or if null, from each pass.
   void use(const SampleMap* map) { map_ = map; }
-  /// The seed of the passes that follow.
+  /// Sets the seed of the following passes.
   void seed(std::int64_t seed) const;
 
-  /// The film starts anew, or with the sums of some of its rows.
+  /// Sets the film's sums to 0, or to those of some rows.
   void clearFilm();
   void setFilm(std::span<const std::byte> sums);
-  /// The sums of a band's pixels, until the next pass.
+  /// The sums of a band's pixels, valid until the next pass.
   std::span<const std::byte> filmOf(const Crop& band);
 
-  /// A pass over a band, without its samples.
+  /// A pass over a band, with no samples yet.
   shared::Pass passOver(const Crop& band);
-  /// One ray through the centre of each pixel of a band, whose hits the film holds then.
+  /// A pass of one ray through the centre of each pixel of a band; it stores the hits in the film.
   shared::Pass passOverCentres(const Crop& band);
   /// Traces the pass's samples.
   void trace(const shared::Pass& pass);
-  /// Adds them to the film's sums.
+  /// Adds the pass's samples to the film's sums.
   void gather(const shared::Pass& pass);
 
-  /// What is traced of the film to reconstruct a band.
+  /// The pixels that are traced to reconstruct a band.
   glm::uvec4 regionAround(const Crop& band) const;
-  /// The most samples that a pixel of a band gets: what the map says, or else `samples`.
+  /// The maximum number of samples per pixel of a band: from the map, or else `samples`.
   std::uint32_t maxSamples(const Crop& band, std::uint32_t samples) const;
 
-  /// Samples left out since the last forgetDropped(): negative or not finite.
+  /// Samples dropped since the last forgetDropped(): negative or not finite.
   std::uint64_t dropped() const { return status_.dropped; }
   void forgetDropped();
   const FrameWork& work() const { return work_; }
   void countSamples(std::uint64_t samples) { work_.samples += samples; }
-  /// The samples counted so far, which count no more.
+  /// Returns the number of samples counted so far, and resets it.
   std::uint64_t takeSampleCount() { return std::exchange(work_.samples, 0); }
   Traversal traversal() const { return traversal_; }
 
@@ -79,7 +80,7 @@ class Frame {
   void listWork(const shared::Pass& pass);
   shared::Params paramsOf(const IntegratorUse& integrator) const;
 
-  /// log2 of how many samples of a pixel are traced side by side.
+  /// log2 of the samples per pixel that a workgroup traces side by side.
   static constexpr std::array<std::uint32_t, 4> kShifts = {6, 4, 2, 0};
 
   const Device& device_;
@@ -88,16 +89,16 @@ class Frame {
   FrameWork work_;
   DeviceScene onDevice_;
   Traversal traversal_;
-  const Coverage covered_;  ///< by the scene
+  const Coverage covered_;  ///< pixels that the scene covers
   Kernels kernels_;
   const PictureChoice* picture_ = nullptr;
   shared::Status status_{};
   bool filmIsClear_ = true;
   std::vector<std::byte> copy_;
-  Coverage gatherable_;  ///< pixels that the present picture's samples may reach with a value
-  std::vector<Crop> traced_, gathered_;  ///< of the present band
+  Coverage gatherable_;                  ///< pixels that the current picture's samples may affect
+  std::vector<Crop> traced_, gathered_;  ///< parts of the current band
   const SampleMap* map_ = nullptr;
-  std::array<WorkRange, kShifts.size()> tracing_{};  ///< with a map only, as what follows
+  std::array<WorkRange, kShifts.size()> tracing_{};  ///< these two only with a map
   WorkRange gathering_{};
 };
 

@@ -18,13 +18,13 @@ const std::vector<std::string>& allTextureNames() {
   return names;
 }
 
-bool shows(const std::optional<Texture>& texture) {
+bool isVisible(const std::optional<Texture>& texture) {
   return texture && (!texture->row->picture || texture->image);
 }
 
 bool hasNumbers(const Mesh& mesh) { return !numbersOf(mesh.bsdf).empty(); }
 
-bool alike(const Mesh& a, const Mesh& b) {
+bool sameMaterial(const Mesh& a, const Mesh& b) {
   return a.bsdf.row == b.bsdf.row && a.bsdf.albedo == b.bsdf.albedo &&
          numbersOf(a.bsdf) == numbersOf(b.bsdf);
 }
@@ -32,11 +32,11 @@ bool alike(const Mesh& a, const Mesh& b) {
 glm::dvec3 albedoOf(const Mesh& mesh) { return mesh.bsdf.albedo; }
 
 shared::Material materialOf(const Mesh& mesh, const std::vector<std::string>& bsdfs) {
-  const auto place = std::find(bsdfs.begin(), bsdfs.end(), bsdfName(mesh)) - bsdfs.begin();
+  const auto index = std::find(bsdfs.begin(), bsdfs.end(), bsdfName(mesh)) - bsdfs.begin();
   glm::vec4 numbers(0.0F);
   int i = 0;
   for (const double number : numbersOf(mesh.bsdf)) numbers[i++] = static_cast<float>(number);
-  return {glm::vec3(albedoOf(mesh)), static_cast<std::uint32_t>(place), numbers};
+  return {glm::vec3(albedoOf(mesh)), static_cast<std::uint32_t>(index), numbers};
 }
 
 }  // namespace laver

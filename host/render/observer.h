@@ -9,48 +9,48 @@
 
 namespace laver {
 
-/// Follows a render: a window, a viewer, a progress line, an interruption. All calls come from the
-/// thread that renders.
+/// Observes a render: a window, a viewer, a progress line, an interruption. All calls come from the
+/// rendering thread.
 class Observer {
  public:
   virtual ~Observer() = default;
 
-  /// `device` begins to render.
+  /// Rendering starts on `device`.
   virtual void started(const std::string& /*device*/) {}
-  /// Called before each pass; true ends the render there.
+  /// Called before each pass; returning true stops the render.
   virtual bool stop() { return false; }
-  /// Called now and then with the share of the render that is done, 0 to 1, and the number of
+  /// Called from time to time with the finished share of the render, 0 to 1, and the number of
   /// samples traced so far.
   virtual void progress(double /*share*/, std::uint64_t /*samples*/) {}
-  /// Rows [first, end) of the scene's own picture, which is valid during the call, have new values.
-  /// The last call for a row brings its final values.
+  /// Rows [first, end) of the main picture have new values; the picture is valid during the call.
+  /// The last call for a row has its final values.
   virtual void rowsChanged(const Image& /*picture*/, int /*first*/, int /*end*/) {}
-  /// The render has ended with this picture, which has all layers.
+  /// The render has ended with this picture, including all layers.
   virtual void finished(const Image& /*picture*/) {}
-  /// Share of the render's time that showing rows before they are final may take; 0: none of it.
+  /// Share of the render's time that may be spent on showing unfinished rows; 0: none.
   virtual double timeShare() const { return 0.0; }
 };
 
-/// Whether one of the observers ends the render.
+/// Whether one of the observers stops the render.
 bool stops(const std::vector<Observer*>& observers);
 
-/// Tells all observers of a render what happens, within the largest of their time shares.
+/// Passes a render's events to all observers, within the largest of their time shares.
 class Observers {
  public:
   explicit Observers(const std::vector<Observer*>& observers);
 
   void started(const std::string& device) const;
   bool stop() const { return stops(observers_); }
-  /// What follows is about picture `index` of `count`; rows are shown of picture 0 alone.
+  /// The following events concern picture `index` of `count`; only rows of picture 0 are reported.
   void beginPicture(std::size_t index, std::size_t count);
-  /// `share` of the present picture is done.
+  /// `share` of the current picture is finished.
   void progress(double share, std::uint64_t samples) const;
   void rowsChanged(const Image& picture, int first, int end) const;
   void finished(const Image& picture) const;
 
-  /// Whether rows that are not final may be shown now.
+  /// Whether unfinished rows may be shown now.
   bool due() const { return index_ == 0 && throttle_.due(); }
-  /// Runs resolve(), which makes rows and shows them: its time counts against the time share.
+  /// Runs resolve(), which resolves and reports rows; its duration counts towards the time share.
   template <class Resolve>
   void show(const Resolve& resolve) {
     throttle_.run(resolve);

@@ -12,7 +12,7 @@ using glm::vec3;
 /// 1 + the place of its kind. A texture that shows nothing of its own, such as an image that was
 /// not read, has the colour of its record.
 std::uint32_t TexturePacker::kindOf(const std::optional<Texture>& texture) const {
-  if (!shows(texture)) return shared::TEXTURE_NONE;
+  if (!isVisible(texture)) return shared::TEXTURE_NONE;
   const auto kind = std::find(kinds_.begin(), kinds_.end(), textureName(*texture));
   return static_cast<std::uint32_t>(kind - kinds_.begin()) + 1;
 }

@@ -10,7 +10,7 @@
 namespace laver {
 namespace {
 
-/// What the reasons are made of.
+/// Numbers and flags from which the reasons are made.
 struct Facts {
   Facts(const Scene& s, const RenderOptions& o, const Choices& c)
       : scene(s), options(o), choices(c), uploads(c.uploads), first(c.pictures.front().key) {
@@ -36,7 +36,7 @@ struct Facts {
     return std::string(scene.integrator.row->name) +
            (choices.pictures.size() > 1 ? " and its layers" : "");
   }
-  /// Bytes of the attributes of all triangles in a form, without the tables they point into.
+  /// Bytes of the attributes of all triangles in a format, without the arrays to which they refer.
   std::uint64_t attributeBytes(bool withNormals, std::uint32_t indexBytes) const {
     return primitives * indexBytes * (withNormals ? 4 : 1);
   }
@@ -68,7 +68,7 @@ Reason rays(const Facts& f) {
   const bool unlit = f.choices.pictures.size() == 1 && f.scene.integrator.row->needs.lights &&
                      f.scene.lights.empty();
   if (f.traced())
-    return {"camera rays", "traced", unlit ? "what they miss shows" : "what they hit shows", "", 0};
+    return {"camera rays", "traced", unlit ? "misses are visible" : "hits are visible", "", 0};
   return {"camera rays", "none traced", "a scene without lights is black",
           "the tree is not built, no ray is traced", f.primitives * sizeof(shared::Triangle)};
 }
@@ -76,7 +76,7 @@ Reason rays(const Facts& f) {
 Reason spheres(const Facts& f) {
   if (f.hasSpheres) return {"spheres", countOf(f.spheres, "sphere"), "the scene has them", "", 0};
   return {"spheres", "left out", f.spheres == 0 ? "the scene has none" : "no ray is traced",
-          "their test beside the triangles'", 0};
+          "a sphere test in each leaf", 0};
 }
 
 Reason normals(const Facts& f) {
@@ -220,8 +220,8 @@ Reason filter(const Facts& f) {
 
 Reason film(const Facts& f) {
   if (!f.choices.pictures.front().blackMiss)
-    return {"film", "all of it", "rays that hit nothing are not known to be black", "", 0};
-  return {"film", "what the scene covers", "rays that hit nothing are black",
+    return {"film", "all of it", "rays that hit nothing may not be black", "", 0};
+  return {"film", "the part that the scene covers", "rays that hit nothing are black",
           "rays and sums elsewhere", 0};
 }
 
@@ -238,10 +238,10 @@ Reason sideBySide(const Facts& f) {
   const Tiling& tiling = f.choices.tiling;
   const double density =
       static_cast<double>(f.primitives) / f.scene.camera.width / f.scene.camera.height;
-  const std::uint32_t beside = samplesBeside(tiling, f.options.error != 0.0);
-  return {"side by side", countOf(beside, "sample") + " of a pixel",
-          beside < tiling.sideBySide ? "no more in a pass"
-                                     : fmt::format("{:.2g} triangles per pixel", density),
+  const std::uint32_t samples = samplesSideBySide(tiling, f.options.error != 0.0);
+  return {"side by side", countOf(samples, "sample") + " of a pixel",
+          samples < tiling.sideBySide ? "no more in a pass"
+                                      : fmt::format("{:.2g} triangles per pixel", density),
           "", 0};
 }
 

@@ -52,12 +52,12 @@ class Loop {
  private:
   const Sampler& sampler() const { return task_.scene.sampler; }
 
-  /// Samples that a pixel of the present picture is to get.
+  /// Samples per pixel of the current picture.
   std::uint32_t wanted() const {
     return picture_->centres ? 1 : map_ ? maxSamplesOf(sampler()) : sampler().sampleCount;
   }
 
-  /// The scene's own picture.
+  /// Renders the main picture.
   Reached renderFirst() {
     if (task_.options.error == 0.0) return renderKept();
     map_ = runPilots();
@@ -68,36 +68,36 @@ class Loop {
     return reached;
   }
 
-  /// All samples of the picture, from the sums that its state holds on.
+  /// Renders the picture, continuing from the sums in the state.
   Reached renderKept() {
     Reached reached;
-    bool ended = false;
+    bool stopped = false;
     for (int row = 0, rows = 0; row < image_.height; row += rows) {
-      rows = state_.alike(
+      rows = state_.equalRows(
           row, std::min(image_.height - row, static_cast<int>(task_.choices.tiling.bandRows)));
       std::uint32_t samples = state_.samples[static_cast<std::size_t>(row)];
-      if (ended || samples == wanted()) {
+      if (stopped || samples == wanted()) {
         if (samples != 0) resolve(state_.bytes(row, rows), row, task_.options.threads, image_);
       } else {
         samples = renderRows(row, rows, samples);
         if (samples != wanted() && state_.keep() == FilmState::Keep::WhenEnded)
           state_.takeFinished(image_, row, wanted());
-        ended = samples != wanted();
+        stopped = samples != wanted();
       }
       reached.addRows(rows, samples, wanted());
     }
     return reached;
   }
 
-  /// Brings rows of the picture, which fit into a band, from `had` to all samples per pixel, or to
-  /// where the render is ended; returns how many they have.
+  /// Renders rows of the picture, which fit into a band, from `had` to all samples per pixel or
+  /// until the render is stopped. Returns the number of samples per pixel.
   std::uint32_t renderRows(int row, int rows, std::uint32_t had) {
     const Crop band{core_.x0, core_.y0 + row, core_.x1, core_.y0 + row + rows};
     if (had != 0)
       frame_.setFilm(state_.bytes(row, rows));
     else
       frame_.clearFilm();
-    // Samples that are summed plainly are summed together, however often the render goes on.
+    // Each group of GATHER_SAMPLES must be summed in one pass, however often the render is resumed.
     const bool always = state_.keep() == FilmState::Keep::Always;
     const std::uint32_t whole = always ? wanted() - wanted() % shared::GATHER_SAMPLES : wanted();
     std::uint32_t has = addSamples(band, {had, whole, wanted()});
@@ -108,7 +108,7 @@ class Loop {
     return has;
   }
 
-  /// `samples` of every pixel, or as many of them as the map says.
+  /// Renders `samples` per pixel, or as many as the map has.
   Reached renderFilm(Crop core, std::uint32_t samples, Image& image) {
     Reached reached;
     const int rows = static_cast<int>(task_.choices.tiling.bandRows);
@@ -136,13 +136,13 @@ class Loop {
     return 1;
   }
 
-  /// Samples [first, end) of the pixels of a band, which is to get `of`.
+  /// Samples [first, end) per pixel of a band whose final count is `of`.
   struct Span {
     std::uint32_t first, end, of;
   };
 
-  /// The passes: traces samples and adds them to the film. Returns to which sample it came, less
-  /// than the end if an observer stopped it.
+  /// The passes: traces samples and adds them to the film. Returns the number of samples per pixel,
+  /// less than span.end if an observer stopped it.
   std::uint32_t addSamples(const Crop& band, const Span& span) {
     shared::Pass pass = frame_.passOver(band);
     std::uint32_t done = span.first;
@@ -160,7 +160,7 @@ class Loop {
     return done;
   }
 
-  /// A band has n of its samples.
+  /// Reports that a band has n of its samples.
   void passDone(const Crop& band, std::uint32_t n, std::uint32_t of) {
     if (pilots()) return;
     const double share = static_cast<double>(n) / of;
@@ -177,7 +177,7 @@ class Loop {
     ++times_.bands;
   }
 
-  /// Resolves the sums of a band of a picture of `core`, and shows them to the observers.
+  /// Resolves the sums of a band of a picture of `core` and reports the rows to the observers.
   void resolveBand(const Crop& band, const Crop& core, Image& image) {
     task_.observers.show([&] {
       const Stopwatch watch(times_.readBackSeconds);
@@ -190,8 +190,8 @@ class Loop {
     });
   }
 
-  /// Pictures of one sample per pixel of everything that the counts of the core's samples depend
-  /// on. None if stopped.
+  /// Renders pilots, pictures of one sample per pixel that cover everything that the counts of the
+  /// core depend on, and decides the counts. None if stopped.
   std::optional<SampleMap> runPilots() {
     const Crop area = task_.choices.tiling.planned;
     const SampleMap one(cropOf(frame_.regionAround(area)), 1);
@@ -225,7 +225,7 @@ class Loop {
   RenderTimes& times_;
   const PictureChoice* picture_ = nullptr;
   Image image_;
-  std::optional<SampleMap> map_;  ///< of adaptive sampling, once it is decided
+  std::optional<SampleMap> map_;  ///< of adaptive sampling, after the pilots
 };
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace laver {
 
-/// What the loop works on.
+/// Input of the loop.
 struct RenderTask {
   const Scene& scene;
   const RenderOptions& options;
@@ -16,17 +16,17 @@ struct RenderTask {
   Observers& observers;
 };
 
-/// What the loop notes for statistics.
+/// Statistics of the loop.
 struct RenderTimes {
   double readBackSeconds = 0;
-  double coverage =
-      1;  ///< share of the pixels that the scene covers; the others are black untraced
+  /// Share of the pixels that the scene covers; the others are black and not traced.
+  double coverage = 1;
   std::uint32_t bands = 0;
   AdaptiveStats adaptive;
 };
 
-/// Renders all pictures of a task. Goes on from the sums in `state`, and leaves there what its Keep
-/// says. Pictures that an observer's stop() leaves no time for are black.
+/// Renders all pictures of a task. Continues from the sums in `state` and updates it according to
+/// state.keep(). Pictures not reached before an observer stops the render are black.
 Rendered renderLoop(Frame& frame, const RenderTask& task, FilmState& state, RenderTimes& times);
 
 }  // namespace laver

@@ -6,24 +6,24 @@
 
 namespace laver {
 
-/// A kernel and where its SPIR-V came from.
+/// A kernel and the source of its SPIR-V.
 struct CompiledKernel {
   Kernel kernel;
   ModuleSource source;
 };
 
-/// The two kernels of a picture.
+/// The kernels of a picture.
 struct Kernels {
   CompiledKernel trace, gather;
 };
 
-/// Composes a kernel's module and has the driver make machine code of it, which lavapipe puts off
-/// to the first dispatch: `bindings` hold buffers of the formats that will be read. Throws
-/// Error(Scene) for errors in a user's own text.
+/// Compiles a kernel's text and makes the driver generate machine code, which lavapipe defers to
+/// the first dispatch; `bindings` must have buffers of the final formats. Throws Error(Scene) for
+/// errors in a user's text.
 CompiledKernel compileKernel(const Device& device, const Bindings& bindings,
                              const std::string& text);
 
-/// Compiles both side by side, before there is a scene on the device.
+/// Compiles both kernels concurrently, before the scene is on the device.
 Kernels compileKernels(const Device& device, const TraceKey& trace, const GatherKey& gather,
                        VkFormat attributes);
 

@@ -10,7 +10,7 @@
 namespace laver {
 namespace {
 
-/// A device that is ready.
+/// A device after start-up.
 struct StartedVulkan {
   explicit StartedVulkan(const VulkanOptions& options)
       : instance(options.validate), device(choosePhysicalDevice(instance, options.device)) {}

@@ -13,31 +13,31 @@
 
 namespace laver {
 
-/// Choices of the Vulkan renderer.
+/// Options of the Vulkan renderer.
 struct VulkanOptions {
-  std::string device;                 ///< as choosePhysicalDevice takes it
+  std::string device;                 ///< argument of choosePhysicalDevice()
   bool validate = false;              ///< every validation message is an error
-  std::string traversal;              ///< as traversalOf() takes it
-  std::uint64_t samplesInFlight = 0;  ///< for tests: 0 is the renderer's own choice
-  bool wholeFilm = false;             ///< for tests: renders what sees nothing too
+  std::string traversal;              ///< argument of traversalOf()
+  std::uint64_t samplesInFlight = 0;  ///< for tests; 0: the renderer's choice
+  bool wholeFilm = false;             ///< for tests: also traces pixels that see no geometry
   bool poisoned = false;              ///< for tests: samples are NaN until they are traced
   std::vector<std::string> general;   ///< for tests: parts of generalParts()
 };
 
-/// Renders on a Vulkan device, which starts on a thread of its own, beside the loading of a scene.
+/// Renders on a Vulkan device, which starts on another thread while the scene is loaded.
 class Renderer {
  public:
   explicit Renderer(const VulkanOptions& options);
   ~Renderer();
 
-  /// Renders the film or its crop, up to where an observer ends it. Throws
-  /// Error(Device) where no device could be started, for a limit, a lost device, or, with
-  /// `validate`, the first message, and Error(Usage) for an unknown traversal. Fills `stats` but
-  /// for loading and writing.
+  /// Renders the film or its crop, until an observer stops it. Fills `stats` except for loading and
+  /// writing. Throws Error(Device) if no device could be started, for an exceeded limit, a lost
+  /// device, or with `validate` the first message, and Error(Usage) for an unknown traversal.
   Rendered render(const Scene& scene, const RenderOptions& options, Stats& stats);
 
-  /// The same, from the sums in `state` on, if there are some: the bits are those of a render in
-  /// one go. `state` takes what its Keep says. Throws Error(Usage) as FilmState::begin does.
+  /// The same, continuing from the sums in `state`, if any; the bits are those of one uninterrupted
+  /// render. `state` is updated according to state.keep(). Throws Error(Usage) as
+  /// FilmState::begin() does.
   Rendered render(const Scene& scene, const RenderOptions& options, FilmState& state, Stats& stats);
 
  private:

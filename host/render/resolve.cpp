@@ -12,7 +12,7 @@
 namespace laver {
 namespace {
 
-/// The scene's triangles and spheres by their numbers over all meshes.
+/// Looks up the scene's primitives by their numbers over all meshes.
 class Triangles {
  public:
   Triangles(const Scene& scene, const Normalisation& space) : scene_(scene), space_(space) {
@@ -27,8 +27,8 @@ class Triangles {
     hit.triangle = mesh == ends_.begin() ? id : id - *(mesh - 1);
   }
 
-  /// Vertex coordinates at a hit by the weights of the corners as the kernels have them: sorted by
-  /// their rounded positions. 0 where the mesh has none. A sphere's are the last two weights.
+  /// Texture coordinates at a hit from the weights of the corners in the kernels' order, which is
+  /// sorted by rounded positions. 0 if the mesh has none. A sphere's are the last two weights.
   glm::dvec2 uv(const CentreHit& hit, const glm::dvec3& weights) const {
     const Mesh& mesh = scene_.meshes[hit.mesh];
     if (mesh.sphere) return {weights.y, weights.z};

@@ -7,11 +7,11 @@
 
 namespace laver {
 
-/// Weighted means of a film's sums (shared::FilmPixel), into an RGB image from `firstRow` on.
-/// Pixels without weight are 0.
+/// Converts a film's sums (shared::FilmPixel) to weighted means, rows of an RGB image from
+/// `firstRow` on. Pixels without weight are 0.
 void resolve(std::span<const std::byte> film, int firstRow, unsigned threads, Image& image);
 
-/// The same for the layers of pixels' centres, from what film/centres.glsl has left in the film.
+/// The same for the layers of pixel centres, from the film that film/centres.glsl has written.
 void resolveCentres(std::span<const std::byte> film, int firstRow, const Scene& scene,
                     const Normalisation& space, const RenderOptions& options, Image& image);
 

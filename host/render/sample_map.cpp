@@ -10,16 +10,17 @@ namespace laver {
 namespace {
 
 constexpr int kCell = SampleMap::kCell;
-/// Pixels around a cell whose noise counts as its own: its samples reach them.
+/// Margin of pixels around a cell that the cell's samples affect, whose noise therefore counts.
 constexpr int kAround = 1;
 /// A cell gets at least this share of a neighbour's samples.
 constexpr std::uint32_t kShareOfNeighbours = 4;
-/// One sample will do where its error is below a sixth of what is wanted. Most of a picture may be
-/// such places, and their noise, which four of `sobol` take away, is to count for little in it.
+/// A single sample per pixel suffices where its error is below a sixth of the target. Such areas
+/// can make up most of a picture, so their noise, which four samples of `sobol` would remove, must
+/// stay well below the target.
 constexpr double kOne = 1.0 / 36.0;
 
 /// Mean over the pixels of `window` of the pilots' variance, relative to the squared mean where
-/// that is above 1: of the channel where it is largest.
+/// that exceeds 1, in the channel where it is largest.
 double varianceIn(std::span<const Image> pilots, Crop area, Crop window) {
   const auto count = static_cast<double>(pilots.size());
   double variance[3] = {}, mean[3] = {};
@@ -54,12 +55,12 @@ std::uint32_t rounded(double samples, std::uint32_t max) {
 
 int down(int x, int step) { return x / step * step; }
 
-/// Grown to where blocks begin.
+/// Extends pixels to the left and upper borders of their blocks.
 Crop fromBlocks(Crop pixels) {
   return {down(pixels.x0, kBlock * kCell), down(pixels.y0, kBlock * kCell), pixels.x1, pixels.y1};
 }
 
-/// One sample a pixel is for whole blocks.
+/// Raises single samples in blocks that have other cells with more.
 void evenBlocks(SampleMap& map) {
   const Crop cells = map.cells();
   for (int y = cells.y0; y < cells.y1; y += kBlock)
@@ -112,7 +113,7 @@ std::vector<shared::Count> SampleMap::counts(glm::uvec4 region) const {
 }
 
 Crop pilotArea(Crop area, int width, int height) {
-  // The neighbours of its blocks' cells, and the pixels around those.
+  // The neighbours of the cells of its blocks, and the margin around those.
   const Crop begun = fromBlocks(area);
   const int margin = kCell + kAround, side = kBlock * kCell;
   return {std::max(begun.x0 - margin, 0), std::max(begun.y0 - margin, 0),
@@ -121,7 +122,7 @@ Crop pilotArea(Crop area, int width, int height) {
 }
 
 std::int64_t pilotSeed(std::int64_t seed, int pilot) {
-  // Far from seeds that users count up, and from the blocks that `independent` adds to its seed.
+  // Far from consecutive seeds of users, and from the blocks that `independent` adds to its seed.
   return static_cast<std::int64_t>(static_cast<std::uint64_t>(seed) +
                                    0x9e3779b97f4a7c15U * static_cast<std::uint64_t>(pilot + 1));
 }

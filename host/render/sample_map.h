@@ -10,25 +10,25 @@
 
 namespace laver {
 
-/// Samples a pixel by cells of shared::CELL x shared::CELL pixels. Cells are the film's, so that a
-/// crop and a band have the same as the whole picture.
+/// Samples per pixel by cells of shared::CELL x shared::CELL pixels. Cells are aligned to the film,
+/// so that a crop or a band has the same cells as the whole picture.
 class SampleMap {
  public:
-  /// The cells that the pixels of `area` lie in, and those before them in their blocks, each with
+  /// Covers the cells of the pixels of `area`, extended to the start of their blocks, each with
   /// `count`.
   SampleMap(Crop area, std::uint32_t count);
 
-  /// Those cells, in cells.
+  /// The range of cells, in cells.
   Crop cells() const { return cells_; }
   std::uint32_t& cell(int x, int y) { return counts_[index(x, y)]; }
   std::uint32_t cell(int x, int y) const { return counts_[index(x, y)]; }
   std::uint32_t pixel(int x, int y) const { return cell(x / kCell, y / kCell); }
 
-  /// The largest count of the cells that the pixels of `area` lie in.
+  /// The largest count of the cells of the pixels of `area`.
   std::uint32_t max(Crop area) const;
-  /// Samples of the pixels of `area`, counting no more than `max` of each.
+  /// The sum over the pixels of `area` of their counts, each limited to `max`.
   std::uint64_t samplesOf(Crop area, std::uint32_t max) const;
-  /// The counts of the cells that a region of pixels lies in, for countAt() of adaptive.glsl.
+  /// The counts of the cells of a region of pixels, as countAt() of adaptive.glsl reads them.
   std::vector<shared::Count> counts(glm::uvec4 region) const;
 
   static constexpr int kCell = shared::CELL;
@@ -44,38 +44,39 @@ class SampleMap {
   std::vector<std::uint32_t> counts_;
 };
 
-/// The cells that pixels lie in.
+/// The cells that contain the pixels.
 Crop cellsOf(Crop pixels);
 
-/// Blocks of so many cells a side have one sample a pixel together or not at all.
+/// Blocks of kBlock x kBlock cells: either all their cells have one sample per pixel, or none.
 inline constexpr int kBlock = 2;
 
-/// The pixels whose pilots decide the counts of all cells that the pixels of `area` lie in.
+/// The pixels whose pilots determine the counts of all cells of the pixels of `area`.
 Crop pilotArea(Crop area, int width, int height);
 
-/// Pilots are pictures of one sample a pixel, each with a seed of its own.
+/// Pilots are pictures of one sample per pixel, each with its own seed.
 inline constexpr int kPilots = 2;
 std::int64_t pilotSeed(std::int64_t seed, int pilot);
 
-/// The most samples that a pixel may get by adaptive sampling.
+/// The maximum number of samples per pixel in adaptive sampling.
 inline std::uint32_t maxSamplesOf(const Sampler& sampler) {
   return sampler.sampleCount / shared::CELL_STEP * shared::CELL_STEP;
 }
 
-/// The most samples that a pixel of a render gets.
+/// The maximum number of samples per pixel of a render.
 inline std::uint32_t maxSamplesOf(const Scene& scene, const RenderOptions& options) {
   return options.error == 0.0 ? scene.sampler.sampleCount : maxSamplesOf(scene.sampler);
 }
 
-/// How many samples a pixel bring the standard error of each cell to `error`, by the variance s^2
-/// of the pilots, which are reconstructed as the picture will be: s^2 / error^2, where s^2 is the
-/// mean over the cell and the pixels around it of the channel that is largest, and the error is
-/// relative to the mean where that is above 1. At least a quarter of what each of the eight
-/// neighbours gets, since their features may go on unseen here. 1 in blocks where that has
-/// a sixth of the error in all cells; else CELL_STEP to `max`, in multiples of CELL_STEP.
+/// Chooses samples per pixel that reduce the standard error of each cell to `error`: s^2 / error^2,
+/// where s^2 is the variance of the pilots, which are reconstructed like the picture, averaged over
+/// the cell and the pixels around it, in the channel where it is largest. The error is relative to
+/// the mean where that exceeds 1. A cell gets at least a quarter of the samples of each of its
+/// eight neighbours, since their features may extend into it undetected. Counts are 1 in blocks all
+/// of whose cells have less than a sixth of the error with one sample, else multiples of CELL_STEP
+/// up to `max`.
 ///
-/// The counts depend on the pilots alone, and the pilots are not in the picture, so the counts are
-/// independent of every sample that they weigh: the mean of a cell's samples is unbiased.
+/// The counts depend only on the pilots, which are not part of the picture, so they are independent
+/// of every sample that they weight: the mean of a cell's samples is unbiased.
 SampleMap decideSamples(std::span<const Image> pilots, Crop area, double error, std::uint32_t max,
                         unsigned threads);
 

@@ -13,27 +13,27 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr int kFineEnough = 8;  // pixels: a box that looks smaller is taken as a whole
+constexpr int kSmallBox = 8;  // pixels: smaller boxes are not subdivided
 constexpr double kRounding = 0x1p-24;
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-/// Film positions between which geometry is seen. Points are given as (x, y, 1) times a factor
-/// that is positive before the camera, where the direction is x X + y Y + Z: seen at (size - (x,
-/// y)) / 2.
+/// Bounds of the film positions of geometry. Points are homogeneous, (x, y, 1) times a factor that
+/// is positive in front of the camera; the camera's direction is x X + y Y + Z, so their film
+/// position is (size - (x, y)) / 2.
 struct Bounds {
   dvec2 size;
   dvec2 low{kFar}, high{-kFar};
 
-  void see(dvec3 p) {
+  void add(dvec3 p) {
     if (!(p.z > 0.0)) return;
     const dvec2 film = (size - dvec2(p) / p.z) * 0.5;
     low = glm::min(low, film);
     high = glm::max(high, film);
   }
 
-  /// Where an edge of a box comes through the camera's plane it is seen infinitely far off.
-  void seeEdge(dvec3 a, dvec3 b) {
+  /// An edge of a box that crosses the camera's plane extends to infinity on the film.
+  void addEdge(dvec3 a, dvec3 b) {
     if ((a.z > 0.0) == (b.z > 0.0)) return;
     const dvec2 crossing = (dvec2(a) * b.z - dvec2(b) * a.z) * (b.z > a.z ? 1.0 : -1.0);
     for (int axis = 0; axis < 2; ++axis) {
@@ -43,7 +43,7 @@ struct Bounds {
   }
 };
 
-/// Projects boxes onto the film by the numbers that the kernels make camera rays of.
+/// Projects boxes onto the film by the numbers from which the kernels compute camera rays.
 class Projector {
  public:
   explicit Projector(const shared::Params& p)
@@ -52,8 +52,8 @@ class Projector {
         pad_(static_cast<double>(shared::padOf(glm::vec3(p.origin)))) {
     const glm::dmat3 toScene(dvec3(p.columnX), dvec3(p.columnY), dvec3(p.columnZ));
     toFilm_ = glm::inverse(toScene);
-    // A direction x X + y Y + Z is made with two roundings of a product and two of sums, and x and
-    // y are rounded before: 5 of them at most, each of what the terms' sizes add up to.
+    // Rounding of a direction x X + y Y + Z: two products, two sums, and before that x and y, at
+    // most 5 roundings, each relative to the sum of the terms' magnitudes.
     const auto size = [](dvec3 v) { return glm::abs(v); };
     const dvec3 error =
         5.0 * kRounding *
@@ -64,12 +64,12 @@ class Projector {
     usable_ = moved.z < 0.5 && std::isfinite(margin_.x + margin_.y);
   }
 
-  /// False for a camera so askew that rounding alone decides where its rays go.
+  /// False for a camera so sheared that rounding alone determines where its rays go.
   bool usable() const { return usable_; }
 
-  /// The pixels that may see something of a box, and perhaps more of them.
+  /// The pixels whose rays may hit a box; may include more.
   Crop pixels(const shared::Child& box) const {
-    // What the test of triangles and boxes may err by; see padOf.
+    // The tests of triangles and boxes may err by the pad (padOf).
     const dvec3 lo = dvec3(box.lo) - pad_ - origin_, hi = dvec3(box.hi) + pad_ - origin_;
     dvec3 corners[8];
     for (int i = 0; i < 8; ++i)
@@ -77,11 +77,11 @@ class Projector {
                                    (i & 4) != 0 ? hi.z : lo.z);
     Bounds bounds{film_};
     for (int i = 0; i < 8; ++i) {
-      bounds.see(corners[i]);
+      bounds.add(corners[i]);
       for (int bit = 1; bit < 8; bit *= 2)
-        if ((i & bit) == 0) bounds.seeEdge(corners[i], corners[i | bit]);
+        if ((i & bit) == 0) bounds.addEdge(corners[i], corners[i | bit]);
     }
-    // A pixel's samples lie on both of its borders too.
+    // Samples may lie on either border of a pixel.
     const dvec2 first = glm::ceil(glm::clamp(bounds.low - margin_, dvec2(-1.0), film_ + 1.0)) - 1.0;
     const dvec2 end = glm::floor(glm::clamp(bounds.high + margin_, dvec2(-1.0), film_ + 1.0)) + 1.0;
     return {static_cast<int>(first.x), static_cast<int>(first.y), static_cast<int>(end.x),
@@ -97,41 +97,42 @@ class Projector {
   bool usable_;
 };
 
-/// A box that adds nothing is left out with all that it holds; one that looks small is not opened.
+/// Collects the coverage of the tree. A box that adds no pixel is skipped with its subtree; a box
+/// that looks small is not subdivided.
 class Collector {
  public:
   explicit Collector(const Packed& packed)
       : bvh_(packed.bvh),
         projector_(packed.params),
-        seen_(static_cast<int>(packed.params.filmSize.x),
-              static_cast<int>(packed.params.filmSize.y)) {}
+        covered_(static_cast<int>(packed.params.filmSize.x),
+                 static_cast<int>(packed.params.filmSize.y)) {}
 
   Coverage run() {
-    if (!projector_.usable()) return Coverage::whole(seen_.width(), seen_.height());
+    if (!projector_.usable()) return Coverage::whole(covered_.width(), covered_.height());
     std::vector<std::uint32_t> waiting{bvh_.root};
     while (!waiting.empty()) {
       const shared::Node& node = bvh_.nodes[waiting.back()];
       waiting.pop_back();
       for (const shared::Child& child : node.child)
-        if (child.ref != shared::REF_NONE && look(child)) waiting.push_back(child.ref);
+        if (child.ref != shared::REF_NONE && addOrDescend(child)) waiting.push_back(child.ref);
     }
-    return std::move(seen_);
+    return std::move(covered_);
   }
 
  private:
-  /// True if the child is to be opened.
-  bool look(const shared::Child& child) {
+  /// Adds the child's pixels, or returns true if it must be subdivided.
+  bool addOrDescend(const shared::Child& child) {
     const Crop pixels = projector_.pixels(child);
-    if (seen_.holds(pixels)) return false;
-    const bool small = pixels.x1 - pixels.x0 <= kFineEnough && pixels.y1 - pixels.y0 <= kFineEnough;
+    if (covered_.contains(pixels)) return false;
+    const bool small = pixels.x1 - pixels.x0 <= kSmallBox && pixels.y1 - pixels.y0 <= kSmallBox;
     if (child.ref < shared::REF_LEAF && !small) return true;
-    seen_.add(pixels);
+    covered_.add(pixels);
     return false;
   }
 
   const Bvh& bvh_;
   Projector projector_;
-  Coverage seen_;
+  Coverage covered_;
 };
 
 }  // namespace

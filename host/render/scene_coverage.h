@@ -4,7 +4,7 @@
 
 namespace laver {
 
-/// Pixels whose camera rays may meet a box of the tree; nothing where the kernels trace no rays.
+/// Pixels whose camera rays may hit a box of the tree; empty if the kernels trace no rays.
 Coverage coverageOf(const Packed& packed);
 
 }  // namespace laver

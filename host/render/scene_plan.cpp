@@ -18,7 +18,7 @@ Reason tree(const Choices& choices, const Bvh& bvh) {
   return {
       "tree",
       fmt::format("{} of up to 8 children, depth {}", countOf(bvh.nodes.size(), "node"), bvh.depth),
-      "built for this plan: nothing else tells its depth", "", 0};
+      "built for this plan, to find its depth", "", 0};
 }
 
 Reason stack(std::uint32_t guess, std::uint32_t needed) {
@@ -27,11 +27,11 @@ Reason stack(std::uint32_t guess, std::uint32_t needed) {
   if (entries != guess)
     return {"stack", choice, fmt::format("the tree needs {}: the kernel is compiled again", needed),
             "", 0};
-  return {
-      "stack", choice,
-      fmt::format("the tree needs {}; set before it is there, so that kernels compile beside it",
-                  needed),
-      "", 0};
+  return {"stack", choice,
+          fmt::format(
+              "the tree needs {}; set before the tree is built, so that kernels compile meanwhile",
+              needed),
+          "", 0};
 }
 
 double coverage(const Choices& choices, const Packed& packed) {
@@ -59,7 +59,7 @@ nlohmann::json figuresOf(const Scene& scene, const RenderOptions& options, const
           {"bands", bandsOf(core, tiling)},
           {"passesPerBand", passesOf(maxSamplesOf(scene, options), tiling)},
           {"samplesPerPass", tiling.samplesPerPass},
-          {"samplesSideBySide", samplesBeside(tiling, options.error != 0.0)},
+          {"samplesSideBySide", samplesSideBySide(tiling, options.error != 0.0)},
           {"seen", coverage(choices, packed)}};
 }
 

@@ -9,7 +9,7 @@
 
 namespace laver {
 
-/// The choices of a render, printed without rendering, and the numbers that only the tree tells.
+/// The choices of a render without rendering, and the numbers that only the tree has.
 // NOLINTNEXTLINE(bugprone-exception-escape): moving JSON asserts, and throws nothing
 struct ScenePlan {
   std::string device, driver, traversal;
@@ -19,8 +19,7 @@ struct ScenePlan {
   nlohmann::json json() const;
 };
 
-/// Chooses, and packs the scene; no kernel is compiled and nothing is uploaded. Throws as rendering
-/// does.
+/// Chooses and packs the scene; compiles no kernel and uploads nothing. Throws like rendering.
 ScenePlan planScene(const Scene& scene, const RenderOptions& options, const VulkanOptions& vulkan,
                     const DeviceInfo& device);
 

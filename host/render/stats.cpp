@@ -82,7 +82,7 @@ void Stats::add(const FrameWork& work, const RenderTimes& times, const Rendered&
   for (const ModuleSource source : work.modules) modules.emplace_back(nameOf(source));
   if (work.fallback.empty()) return;
   traversal = traversalName(Traversal::Lane);
-  reasons.push_back({"traversal in the end", traversal, work.fallback, "", 0});
+  reasons.push_back({"final traversal", traversal, work.fallback, "", 0});
 }
 
 void AdaptiveStats::describe(const SampleMap& map, Crop core, std::uint32_t bound) {
@@ -160,8 +160,8 @@ nlohmann::json Stats::json() const {
            {{"error", adaptive.error},
             {"pilotSamples", adaptive.pilotSamples},
             {"averageSamples", adaptive.average},
-            {"leastSamples", adaptive.min},
-            {"mostSamples", adaptive.max},
+            {"minSamples", adaptive.min},
+            {"maxSamples", adaptive.max},
             {"shareAtBound", adaptive.atBound}}},
           {"peakBytes", peakBytes},
           {"kernels", modules},
@@ -181,15 +181,15 @@ std::string Stats::text() const {
   if (imageBytes + uvBytes != 0)
     out += fmt::format(", pictures {}, texture coordinates {}", imageBytes, uvBytes);
   out += '\n';
-  out += fmt::format("samples      {} in {} passes of {} a pixel, {} bands, {} dropped\n", samples,
-                     passes, samplesPerPass, bands, droppedSamples);
+  out += fmt::format("samples      {} in {} passes of {} per pixel, {} bands, {} dropped\n",
+                     samples, passes, samplesPerPass, bands, droppedSamples);
   if (coverage < 1.0)
     out += fmt::format(
-        "film         {:.1f} % of it sees no geometry, and is neither traced nor filtered\n",
+        "film         {:.1f} % of the pixels see no geometry and are neither traced nor filtered\n",
         100.0 * (1.0 - coverage));
   if (adaptive.error > 0.0)
     out += fmt::format(
-        "adaptive     error {}: {:.2f} samples a pixel, {} to {}, {:.2f} % of the pixels at the "
+        "adaptive     error {}: {:.2f} samples per pixel, {} to {}, {:.2f} % of the pixels at the "
         "bound; {} pilot samples\n",
         adaptive.error, adaptive.average, adaptive.min, adaptive.max, 100.0 * adaptive.atBound,
         adaptive.pilotSamples);
@@ -199,8 +199,7 @@ std::string Stats::text() const {
       ms(seconds.vulkanStart), ms(seconds.load), ms(seconds.build), ms(seconds.upload),
       ms(seconds.compile), ms(seconds.trace), ms(seconds.reconstruct), ms(seconds.readBack),
       ms(seconds.write), ms(seconds.total));
-  out += fmt::format("memory       {:.0f} MiB at the peak\n",
-                     static_cast<double>(peakBytes) / 1048576.0);
+  out += fmt::format("memory       {:.0f} MiB peak\n", static_cast<double>(peakBytes) / 1048576.0);
   out += fmt::format("kernels      {}\n", joined(modules));
   for (const Reason& reason : reasons) out += textOf(reason);
   return out;

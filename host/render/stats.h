@@ -14,20 +14,20 @@ namespace laver {
 struct FrameWork;
 struct RenderTimes;
 
-/// What adaptive sampling did; error 0 is none.
+/// Statistics of adaptive sampling; error 0 if it was off.
 struct AdaptiveStats {
-  double error = 0;                ///< wanted
-  std::uint64_t pilotSamples = 0;  ///< traced to decide, and not in the picture
-  double average = 0;              ///< samples per pixel, without the pilots'
+  double error = 0;                ///< requested
+  std::uint64_t pilotSamples = 0;  ///< not part of the picture
+  double average = 0;              ///< samples per pixel, without pilots
   std::uint32_t min = 0, max = 0;
-  double atBound = 0;  ///< share of pixels that were given all that --spp allows
+  double atBound = 0;  ///< share of pixels with the maximum, --spp
   Image samples;       ///< samples of each pixel; channel `samples`
 
   void describe(const SampleMap& map, Crop core, std::uint32_t bound);
 };
 
-/// What --stats tells of a render, made of what happened. Seconds are of the host's clock; parts
-/// that run side by side overlap.
+/// The statistics of a render for --stats, recorded from events. Seconds are of the host's clock;
+/// concurrent parts overlap.
 struct Stats {
   struct Seconds {
     double vulkanStart = 0, load = 0, build = 0, upload = 0, compile = 0, trace = 0;
@@ -41,11 +41,11 @@ struct Stats {
   double sahCost = 0;
   std::uint32_t passes = 0, bands = 0, samplesPerPass = 0;
   std::uint64_t samples = 0, droppedSamples = 0;
-  double coverage = 1;  ///< share of the pixels that the scene covers; others are black untraced
+  double coverage = 1;  ///< share of the pixels that the scene covers; others are not traced
   AdaptiveStats adaptive;
-  std::uint64_t peakBytes = 0;  ///< of the process, the driver's memory on a CPU device included
-  std::vector<std::string> modules;  ///< of each kernel: embedded, cached or compiled
-  std::vector<Reason> reasons;       ///< of what was chosen
+  std::uint64_t peakBytes = 0;       ///< of the process, including the memory of a CPU device
+  std::vector<std::string> modules;  ///< per kernel: embedded, cached or compiled
+  std::vector<Reason> reasons;       ///< of the choices
 
   void add(const Scene& scene, const Choices& choices, const Packed& packed);
   void add(const FrameWork& work, const RenderTimes& times, const Rendered& rendered);

@@ -3,7 +3,7 @@
 
 namespace laver {
 
-/// Adds the time until its end to `seconds`.
+/// Adds its lifetime to `seconds`.
 class Stopwatch {
  public:
   explicit Stopwatch(double& seconds) : seconds_(seconds) {}

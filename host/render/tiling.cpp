@@ -12,12 +12,12 @@ namespace laver {
 
 namespace {
 
-/// Loop iterations of film/gather.glsl for one sample index, those of its outer loops included.
+/// Loop iterations of film/gather.glsl per sample index, including its outer loops.
 std::uint64_t gatherIterations(std::uint64_t rows, std::uint64_t apron) {
   return (rows + 2 * apron) * (2 * apron + 1 + 2);
 }
 
-/// Long columns share most reads, short ones are many: a CPU wants the first.
+/// Longer columns share more reads, shorter ones give more invocations; long ones suit CPUs.
 constexpr std::uint32_t kGatherRows = 64;
 
 std::uint64_t roundedUp(std::uint64_t n, std::uint64_t unit) {
@@ -41,8 +41,8 @@ glm::uvec4 regionOf(Crop core, std::uint32_t apron, int width, int height) {
 
 Tiling tile(const VkPhysicalDeviceLimits& limits, const TilingNeeds& needs) {
   const auto& [core, width, height, apron, samples, maxSlots, sideBySide] = needs;
-  // 2^22 samples take 84 MB and fill a GPU; a dispatch of as many rays ends well within a
-  // watchdog's seconds.
+  // 2^22 samples take 84 MB and fill a GPU; a dispatch of as many rays ends well before a
+  // watchdog's time limit.
   std::uint64_t slots = maxSlots == 0 ? std::uint64_t{1} << 22 : maxSlots;
   slots = std::min(slots, limits.maxStorageBufferRange / kSampleBytes);
   slots = std::min<std::uint64_t>(slots, limits.maxTexelBufferElements - kMaxTexelsAdded);
@@ -52,8 +52,8 @@ Tiling tile(const VkPhysicalDeviceLimits& limits, const TilingNeeds& needs) {
   const glm::uvec4 full = regionOf(core, apron, width, height);
   const std::uint64_t a = apron, slotsPerRow = roundedUp(full.z, shared::SLOT_COLUMNS);
   const std::uint64_t unit = std::min(samples, shared::GATHER_SAMPLES);
-  const std::uint64_t fewestRows = std::min<std::uint64_t>(2 * a + 1, full.w);
-  const std::uint64_t smallest = slotsPerRow * fewestRows * unit;
+  const std::uint64_t minRows = std::min<std::uint64_t>(2 * a + 1, full.w);
+  const std::uint64_t smallest = slotsPerRow * minRows * unit;
   if (smallest > slots && maxSlots == 0)
     throw Error(ExitCode::Device,
                 fmt::format("one row of {} pixels with its filter apron needs {} samples in "
@@ -75,21 +75,21 @@ Tiling tile(const VkPhysicalDeviceLimits& limits, const TilingNeeds& needs) {
       std::min({std::uint64_t{shared::MAX_ITERATIONS} / iterations, std::uint64_t{samples},
                 std::uint64_t{limits.maxComputeWorkGroupCount[2]}});
 
-  // Rows give way to samples side by side, but not below four times the rows that only overlap.
+  // Prefers fewer rows to fewer samples side by side, but at least four times the overlapping rows.
   const auto coreRows = static_cast<std::uint64_t>(core.y1 - core.y0);
   const std::uint64_t wanted = std::min<std::uint64_t>(maxPass, sideBySide);
   std::uint64_t rows = std::max(
-      {slots / slotsPerRow / wanted, std::min(8 * a, slots / slotsPerRow / unit), fewestRows});
+      {slots / slotsPerRow / wanted, std::min(8 * a, slots / slotsPerRow / unit), minRows});
   rows = full.w <= rows ? coreRows : std::max<std::uint64_t>(rows, 2 * a + 1) - 2 * a;
   rows = std::max<std::uint64_t>(
       1, std::min({rows, coreRows, filmRows, std::uint64_t{limits.maxComputeWorkGroupCount[1]}}));
   const std::uint64_t regionRows = std::min<std::uint64_t>(rows + 2 * a, full.w);
   std::uint64_t pass = std::min(slots / (slotsPerRow * regionRows), maxPass);
   if (pass != samples) pass = std::max(pass / unit * unit, unit);
-  // Strips of equal length, since lavapipe gives each thread as many.
+  // Strips of equal length, since lavapipe gives each thread the same number.
   const std::uint64_t strips = (rows + gatherRows - 1) / gatherRows;
   gatherRows = static_cast<std::uint32_t>((rows + strips - 1) / strips);
-  // Tiles of samples side by side are as small as one pixel, or two by two.
+  // Tiles of samples side by side may be as small as one or 2 x 2 pixels.
   Device::requireLimit("maxComputeWorkGroupCount[0]", sideBySide == 64 ? full.z : (full.z + 1) / 2,
                        limits.maxComputeWorkGroupCount[0]);
   return {core,
@@ -109,7 +109,7 @@ std::uint32_t passesOf(std::uint32_t samples, const Tiling& tiling) {
   return (samples + tiling.samplesPerPass - 1) / tiling.samplesPerPass;
 }
 
-std::uint32_t samplesBeside(const Tiling& tiling, bool adaptive) {
+std::uint32_t samplesSideBySide(const Tiling& tiling, bool adaptive) {
   const std::uint32_t room =
       std::min({tiling.samplesPerPass, tiling.sideBySide, adaptive ? 16U : 64U});
   return room >= 64 ? 64 : room >= 16 ? 16 : room >= 4 ? 4 : 1;

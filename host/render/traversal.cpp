@@ -13,11 +13,11 @@ namespace {
 void requirePackets(const DeviceInfo& device, const std::string& wanted) {
   if (runsPackets(device)) return;
   throw Error(ExitCode::Device,
-              fmt::format("traversal {} needs subgroups of 8 lanes that shuffle, and 64-bit "
+              fmt::format("traversal {} needs subgroups of 8 lanes with shuffles, and 64-bit "
                           "integers; {} has subgroups of {}{}{}",
                           wanted, device.name, device.subgroupSize,
-                          device.shuffles ? "" : " that do not shuffle",
-                          device.longs ? "" : ", and no such integers"));
+                          device.shuffles ? "" : " without shuffles",
+                          device.longs ? "" : ", and no 64-bit integers"));
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ TraversalChoice traversalOf(const Scene& scene, const DeviceInfo& device,
     for (const Traversal traversal : {Traversal::Lane, Traversal::Packet32, Traversal::Packet64})
       if (wanted == traversalName(traversal)) {
         if (isPacket(traversal)) requirePackets(device, wanted);
-        return {traversal, "asked for"};
+        return {traversal, "requested"};
       }
     throw Error(ExitCode::Usage, fmt::format("no traversal is named \"{}\"; there are lane, "
                                              "packet, packet32 and packet64",
@@ -51,20 +51,21 @@ TraversalChoice traversalOf(const Scene& scene, const DeviceInfo& device,
   }
   if (packet) requirePackets(device, wanted);
   if (!runsPackets(device))
-    return {Traversal::Lane, "no subgroups of 8 lanes that shuffle, or no 64-bit integers"};
+    return {Traversal::Lane, "no subgroups of 8 lanes with shuffles, or no 64-bit integers"};
   const double density = trianglesPerRay(scene);
   const std::string size = fmt::format("{:.2g} triangles per ray", density);
   if (!packet && density > 2.0) return {Traversal::Lane, size};
   const std::uint64_t rays = static_cast<std::uint64_t>(scene.camera.width) *
                              static_cast<std::uint64_t>(scene.camera.height) *
                              scene.sampler.sampleCount;
-  if (rays < kManyRays) return {Traversal::Packet32, "few rays, so that compiling counts"};
+  if (rays < kManyRays) return {Traversal::Packet32, "few rays, so that compile time matters"};
   return {fasterPackets(scene), size};
 }
 
 float packetWindow(std::uint64_t primitives) {
-  const double alike = 8.0 / std::sqrt(static_cast<double>(std::max<std::uint64_t>(primitives, 1)));
-  return static_cast<float>(std::clamp(alike, 0.02, 1.0));
+  const double window =
+      8.0 / std::sqrt(static_cast<double>(std::max<std::uint64_t>(primitives, 1)));
+  return static_cast<float>(std::clamp(window, 0.02, 1.0));
 }
 
 std::uint32_t sideBySide(const Scene& scene) {

@@ -9,11 +9,11 @@ namespace {
 
 constexpr std::uint32_t kCell = shared::CELL;
 
-/// Work that no pixel of a region has.
+/// Work outside of every region.
 constexpr shared::Work kNone{0x80000000U, 0x80000000U, 0, 0};
 
-/// The list's end from `first` on, `together` a workgroup, filled up to whole rows. Every device
-/// allows 65,535 workgroups a row.
+/// The range of the list from `first` on, `together` items per workgroup, filled up to whole rows.
+/// Every device supports rows of 65,535 workgroups.
 WorkRange rangeFrom(std::size_t first, std::size_t together, std::vector<shared::Work>& list) {
   const std::size_t count = (list.size() - first + together - 1) / together;
   if (count == 0) return {};
@@ -23,7 +23,7 @@ WorkRange rangeFrom(std::size_t first, std::size_t together, std::vector<shared:
           static_cast<std::uint32_t>(rows)};
 }
 
-/// Samples that the pass has of those that a place with `count` gets.
+/// Samples of the pass for a pixel whose count is `count`.
 std::uint32_t samplesOf(const shared::Pass& pass, std::uint32_t count) {
   return count <= pass.firstSample ? 0 : std::min(count - pass.firstSample, pass.sampleCount);
 }
@@ -36,7 +36,7 @@ WorkRange listTracing(const SampleMap& map, const shared::Pass& pass, std::uint3
   if (shift > 4) return {};
   const std::uint32_t side = 8U >> shift / 2, together = 1U << shift;
   const std::uint32_t cell = std::max(side, kCell);
-  // Corners of cells of the film; of blocks of cells for single samples.
+  // Corners of cells of the film, or of blocks of cells for single samples.
   const std::uint32_t x0 = pass.region.x / cell * cell - pass.region.x;
   const std::uint32_t y0 = pass.region.y / cell * cell - pass.region.y;
   const std::uint32_t columns = (pass.region.z - x0 + cell - 1) / cell;
@@ -47,9 +47,9 @@ WorkRange listTracing(const SampleMap& map, const shared::Pass& pass, std::uint3
     for (std::uint32_t x = x0; x != x0 + columns * cell; x += cell) {
       const int left = static_cast<int>(pass.region.x + x);
       const int top = static_cast<int>(pass.region.y + y), wide = static_cast<int>(cell);
-      if (!needed.meets({left, top, left + wide, top + wide})) continue;
+      if (!needed.intersects({left, top, left + wide, top + wide})) continue;
       const std::uint32_t has = samplesOf(pass, map.pixel(left, top));
-      // Those before them go by four times as many.
+      // Earlier samples are in groups four times as large.
       const std::uint32_t first = shift == 4 ? 0 : has / (4 * together) * (4 * together);
       for (std::uint32_t s = first; s + together <= has; s += together)
         for (std::uint32_t v = 0; v < cell; v += side)
@@ -67,7 +67,7 @@ WorkRange listGathering(const SampleMap& map, const shared::Pass& pass, std::uin
   const std::size_t start = list.size();
   const Crop region = cropOf(pass.region);
   const int reach = static_cast<int>(apron);
-  // A strip may begin up to kColumns - 1 columns before (film/gather.glsl).
+  // A strip may begin up to kColumns - 1 columns earlier (film/gather.glsl).
   const std::uint32_t end = pass.core.z + kColumns - 1;
   for (std::uint32_t row = 0; row * kRows < pass.core.w; ++row)
     for (std::uint32_t column = 0; column * kColumns < end; ++column) {
@@ -75,7 +75,7 @@ WorkRange listGathering(const SampleMap& map, const shared::Pass& pass, std::uin
       const int y = static_cast<int>(pass.core.y + row * kRows);
       const Crop strip{x - static_cast<int>(kColumns) + 1, y, x + static_cast<int>(kColumns),
                        y + static_cast<int>(kRows)};
-      if (!gathered.meets(strip)) continue;
+      if (!gathered.intersects(strip)) continue;
       const Crop taken{std::max(strip.x0 - reach, region.x0), std::max(strip.y0 - reach, region.y0),
                        std::min(strip.x1 + reach, region.x1),
                        std::min(strip.y1 + reach, region.y1)};
@@ -84,7 +84,7 @@ WorkRange listGathering(const SampleMap& map, const shared::Pass& pass, std::uin
       list.push_back({column, row, samples, 0});
       needed.add(taken);
     }
-  // Lanes of one subgroup wait for the one with most samples.
+  // Strips of similar sample counts are neighbours, since lanes of a subgroup wait for the slowest.
   std::stable_sort(list.begin() + static_cast<std::ptrdiff_t>(start), list.end(),
                    [](const auto& a, const auto& b) { return a.number > b.number; });
   return rangeFrom(start, kTogether, list);

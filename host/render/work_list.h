@@ -6,19 +6,19 @@
 
 namespace laver {
 
-/// The workgroups of a dispatch in a list of work, as rows that a device's limit allows.
+/// The part of a work list for one dispatch, in rows of workgroups that respect the device's limit.
 struct WorkRange {
   std::uint32_t first, columns, rows;
 };
 
-/// Lists what is to be traced of a pass by workgroups of 2^shift samples side by side: as many of a
-/// cell's samples as go by 16, the rest by 4, and those of a block of cells that have one by 1.
-/// Cells without a pixel that is `needed` are left out.
+/// Lists the tracing of a pass by workgroups of 2^shift samples side by side: groups of 16 samples
+/// of a cell first, the rest by 4, and single samples by blocks of cells. Cells without a `needed`
+/// pixel are skipped.
 WorkRange listTracing(const SampleMap& map, const shared::Pass& pass, std::uint32_t shift,
                       const Coverage& needed, std::vector<shared::Work>& list);
 
-/// Lists the strips of the core that have pixels in `gathered` and that samples of a pass reach.
-/// Adds what these take samples of to `needed`.
+/// Lists the strips of the core that contain pixels of `gathered` and are reached by samples of the
+/// pass. Adds the pixels whose samples they read to `needed`.
 WorkRange listGathering(const SampleMap& map, const shared::Pass& pass, std::uint32_t apron,
                         const Coverage& gathered, Coverage& needed,
                         std::vector<shared::Work>& list);

@@ -94,9 +94,9 @@ Errors errorsOf(const Twin& twin, double aspect, double distance, double minCosi
   return all;
 }
 
-/// The largest error of each kind over what is stated for it, as the README has it: triangles of
+/// The largest error of each kind divided by its stated bound. Bounds, for triangles of
 /// longest edge 0.1 in a scene of half-width 1, seen at no less than cosine c from `distance`:
-///   t         p99 0.4 / c ulp, as measured; at maxCosine 23 / c ulp, with e = 2^-24, w = a - o and
+///   t         p99 0.4 / c ulp, as measured; at most 23 / c ulp, with e = 2^-24, w = a - o and
 ///             |w| <= 1.5 t |d|: components of n err by 4 e, w by e, a dot product by 3 e of its
 ///             absolute terms, so n . w by 8 e |n| |w| and n . d by 7 e |n| |d|, of |n| t |d| c and
 ///             |n| |d| c; rounded edges move the plane by e / c of t; 3 e for what follows

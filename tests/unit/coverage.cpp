@@ -57,7 +57,7 @@ TEST_P(Sees, EveryPointOfRandomTrianglesThroughRandomCameras) {
     camera.toWorld =
         glm::dmat4(glm::dvec4(x * mirrored, 0.0), glm::dvec4(glm::cross(z, x) * length, 0.0),
                    glm::dvec4(z * length, 0.0), glm::dvec4(2.0 * point(), 1.0));
-    const Coverage footprint = coverageOf(packed(scene));
+    const Coverage coverage = coverageOf(packed(scene));
     for (int i = 0; i < 1000; ++i) {
       const glm::uvec3 t = mesh.triangles[random() % mesh.triangles.size()];
       const double u = unit(random), v = unit(random) * (1.0 - u);
@@ -67,7 +67,7 @@ TEST_P(Sees, EveryPointOfRandomTrianglesThroughRandomCameras) {
           film->y >= camera.height)
         continue;
       ++seen;
-      ASSERT_TRUE(footprint.holds(pixelAt(*film))) << round << ' ' << film->x << ' ' << film->y;
+      ASSERT_TRUE(coverage.contains(pixelAt(*film))) << round << ' ' << film->x << ' ' << film->y;
     }
   }
   EXPECT_GT(seen, 10000U);
@@ -124,7 +124,7 @@ bool covers(const std::vector<Crop>& parts, const Coverage& seen, const Crop& ar
     for (int x = area.x0; x < area.x1; ++x) {
       int times = 0;
       for (const Crop& p : parts) times += x >= p.x0 && x < p.x1 && y >= p.y0 && y < p.y1 ? 1 : 0;
-      if (times > 1 || (times == 0 && seen.meets({x, y, x + 1, y + 1}))) return false;
+      if (times > 1 || (times == 0 && seen.intersects({x, y, x + 1, y + 1}))) return false;
     }
   return true;
 }
