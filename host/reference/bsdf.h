@@ -5,21 +5,21 @@
 
 namespace laver::reference {
 
-/// A point of a surface as BSDFs see it.
+/// The input of a BSDF: a point of a surface.
 struct BsdfPoint {
   const Bsdf& bsdf;
-  glm::dvec3 colour;  ///< of the material there, its texture's if it has one
+  glm::dvec3 colour;  ///< albedo, from the texture if there is one
   glm::dvec3 normal;  ///< unit shading normal
 };
 
-/// A drawn direction and BSDF * |cosine| / density: 0 where nothing goes on.
+/// A sampled direction and BSDF * |cosine| / density; 0 if the path ends.
 struct BsdfSample {
   glm::dvec3 wo;
   glm::dvec3 weight;
 };
 
-/// Fresnel reflectance of unpolarised light at a dielectric (Born and Wolf, "Principles of
-/// Optics", 1.5), by the cosine to the normal: above 0 from the side with index `outside`.
+/// Fresnel reflectance of unpolarised light at a dielectric (Born and Wolf, "Principles of Optics",
+/// 1.5). `cosine` is relative to the normal, positive on the side with index `outside`.
 double fresnel(double cosine, double outside, double inside);
 
 }  // namespace laver::reference

@@ -18,15 +18,15 @@ struct Item {
   std::uint32_t triangle;
 };
 
-// Items [begin, end), whose nodes are the 2 (end - begin) - 1 from `node` on: subtrees share no
-// place and can be built side by side.
+// Items [begin, end), whose nodes are the 2 (end - begin) - 1 from `node` on. Subtrees share no
+// memory and can be built concurrently.
 struct Task {
   std::size_t node, begin, end;
   int depth;
   std::size_t size() const { return end - begin; }
 };
 
-// Half the surface; 0 for the empty box.
+// Half the surface area; 0 for the empty box.
 double surface(const Box& box) {
   const glm::dvec3 size = glm::max(box.hi - box.lo, glm::dvec3(0.0));
   return size.x * size.y + size.y * size.z + size.z * size.x;
@@ -36,7 +36,7 @@ class Builder {
  public:
   Builder(std::vector<Item>& items, std::vector<Node>& nodes) : items_(items), nodes_(nodes) {}
 
-  // Builds the subtree of `root`, but leaves those of at most `small` items to `rest`.
+  // Builds the subtree of `root`, but appends subtrees of at most `small` items to `rest` instead.
   void build(const Task& root, std::size_t small, std::vector<Task>& rest) {
     std::vector<Task> open{root};
     while (!open.empty()) {
@@ -62,7 +62,7 @@ class Builder {
   }
 
  private:
-  // Sorts the task's items into two parts, neither empty; returns where the second begins.
+  // Partitions the task's items into two nonempty parts; returns where the second begins.
   std::size_t divide(const Task& task) {
     Box box;
     for (std::size_t i = task.begin; i < task.end; ++i) box.add(items_[i].centroid);
@@ -89,7 +89,7 @@ class Builder {
     return half;
   }
 
-  // The cut k with the smallest cost: bins below k on one side, the others on the other.
+  // The cut k of minimum cost: bins below k on one side, the others on the other.
   template <typename Bin>
   std::size_t cheapestCut(const Task& task, const Bin& bin) const {
     std::array<Box, binCount> boxes{};

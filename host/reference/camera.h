@@ -6,20 +6,20 @@
 
 namespace laver::reference {
 
-/// A ray and the part of it that the camera sees.
+/// A ray and its range within the clipping planes.
 struct CameraRay {
   Ray ray;
-  double tmin, tmax;  ///< the clipping planes, in units of the ray's direction
+  double tmin, tmax;  ///< at the clipping planes, in units of the direction
 };
 
-/// Pinhole camera, film position to ray.
+/// A pinhole camera: converts film positions to rays.
 class View {
  public:
-  /// `centre` is the world position that becomes the origin.
+  /// `centre` is the world position of the reference's origin.
   View(const Camera& camera, glm::dvec3 centre);
 
-  /// `film` in pixels from the top left. The direction is toWorld times the unit direction of
-  /// camera space: under a scaled camera t is not a distance.
+  /// `film` is in pixels from the top left. The direction is toWorld times the unit direction in
+  /// camera space, so t is not a distance if toWorld has a scale.
   CameraRay through(glm::dvec2 film) const;
 
  private:

@@ -5,10 +5,10 @@
 
 namespace laver::reference {
 
-/// A point of a light as a surface sees it.
+/// A sample of a light for a point of a surface.
 struct LightSample {
   glm::dvec3 position;
-  glm::dvec3 radiance;  ///< over the square of the distance; 0 at distance 0
+  glm::dvec3 radiance;  ///< divided by the squared distance; 0 at distance 0
 };
 
 /// A drawn direction, of unit length, and its density per solid angle.

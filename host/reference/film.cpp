@@ -47,7 +47,7 @@ bool usable(const glm::dvec3& v, bool isSigned) {
   return good(v.x) && good(v.y) && good(v.z);
 }
 
-// The pixels of one band of the crop, and the samples of these and of the pixels around them.
+// One band of the crop: its pixels, and the samples of these and of the pixels around them.
 class Band {
  public:
   Band(const Scene& scene, const RenderOptions& options, const Crop& pixels, bool isSigned)
@@ -62,10 +62,11 @@ class Band {
                 std::min(pixels.y1 + weights_.reach(), scene.camera.height)},
         sums_(index(pixels.x1 - pixels.x0) * index(pixels.y1 - pixels.y0)) {}
 
-  // Pixels whose samples are traced.
+  // Number of pixels whose samples are traced.
   std::size_t traced() const { return width() * index(around_.y1 - around_.y0); }
 
-  // Traces samples [begin, end) of every pixel; returns how many of the band's own are dropped.
+  // Traces samples [begin, end) per pixel; returns how many samples of the band's own pixels are
+  // dropped.
   std::uint64_t trace(std::uint32_t begin, std::uint32_t end, const RadianceAt& radianceAt) {
     samples_.resize(traced() * (end - begin));
     std::atomic<std::uint64_t> dropped{0};
@@ -96,7 +97,7 @@ class Band {
     });
   }
 
-  // Writes the pixels into a picture that shows `crop`.
+  // Writes the pixels to a picture of `crop`.
   void write(const Crop& crop, Image& image) const {
     auto sums = sums_.begin();
     for (int y = pixels_.y0; y < pixels_.y1; ++y) {

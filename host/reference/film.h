@@ -13,25 +13,24 @@
 
 namespace laver::reference {
 
-/// Radiance through a film position in pixels, by the sample's other random numbers.
+/// Radiance through a film position in pixels, given the sample's other random numbers.
 using RadianceAt = std::function<glm::dvec3(glm::dvec2 film, const Numbers& numbers)>;
 
-/// A picture of a render.
+/// One of the pictures of a render.
 struct Picture {
   RadianceAt radianceAt;
-  bool isSigned;             ///< negative values are right
+  bool isSigned;             ///< negative values are valid
   std::size_t index, count;  ///< among the pictures of the render
 };
 
-/// Renders the crop, or the whole film: pixel = sum w value / sum w over the samples within the
-/// filter's radius of the pixel's centre on both axes, w the product of the axes' weights, and 0
-/// where sum w is 0. Samples come from all pixels of the film, in or out of the crop, and none
-/// from beyond it. A pixel's sums run over the sample index, then over the neighbours row by row,
-/// in double: its bits depend on neither crop nor threads. Memory does not grow with the samples.
+/// Renders the crop, or the whole film. A pixel is sum w value / sum w over the samples within the
+/// filter's radius of its centre on both axes, w being the product of the axes' weights; 0 if sum w
+/// is 0. Samples of all pixels of the film contribute, inside and outside of the crop. The sums run
+/// over the sample index, then over the neighbours row by row, in double, so that the bits depend
+/// on neither crop nor threads. Memory does not grow with the number of samples.
 ///
-/// A sample with a component that is NaN, infinite or, unless the picture is signed,
-/// negative is left out with its weight.
-/// Throws Error(Usage) if the crop is empty or not inside the film.
+/// A sample with a component that is NaN, infinite or, unless the picture is signed, negative is
+/// dropped with its weight. Throws Error(Usage) if the crop is empty or not inside the film.
 Rendered renderFilm(const Scene& scene, const RenderOptions& options, const Picture& picture,
                     Observers& observers);
 

@@ -5,7 +5,7 @@
 
 namespace laver::reference {
 
-/// A filter's weight at a distance of at most its radius, in two precisions.
+/// The weight of a filter at a distance of at most its radius, in two precisions.
 struct FilterTwin {
   double (*exact)(const Filter& filter, double distance);
   float (*single)(const Filter& filter, float distance);
@@ -17,11 +17,11 @@ class FilterWeights {
   /// Exact weights or, with `noriCompat`, Nori's table of 32 float entries over the radius.
   FilterWeights(const Filter& filter, bool noriCompat);
 
-  /// Weight at `distance` pixels from the pixel's centre; 0 where |distance| > radius.
+  /// The weight at `distance` pixels from the pixel's centre; 0 if |distance| > radius.
   double operator()(double distance) const;
 
-  /// A sample of pixel x may weigh in the pixels x - reach() to x + reach(). The sample lies in
-  /// [x, x + 1], both ends included, since the float sum pixel + number can round up.
+  /// A sample of pixel x may affect the pixels x - reach() to x + reach(). It lies in [x, x + 1],
+  /// both ends included, since the float sum pixel + number may round up.
   int reach() const;
 
  private:

@@ -25,16 +25,16 @@ Hash pixelHash(const PixelSample& at, Word seed) {
 }
 
 glm::vec2 filmPosition(const Camera& camera, const PixelSample& at, const Place& place) {
-  // A float has 24 bits; those that the largest pixel number leaves, 23 at most, hold the middle of
-  // a cell, and all but the last of them the cell.
+  // A float has 24 bits. The bits that the largest pixel number leaves, at most 23, represent the
+  // centre of a cell, and all but the last of them the cell.
   int bits = 24;
   for (int largest = std::max(camera.width, camera.height) - 1; largest != 0; largest /= 2) --bits;
   bits = std::clamp(bits, 1, 23);
-  const auto middle = [&](Word position) {
+  const auto centre = [&](Word position) {
     const double cells = std::ldexp(1.0, bits - 1);
     return (std::floor(position * std::ldexp(1.0, -32) * cells) + 0.5) / cells;
   };
-  return {static_cast<float>(at.x + middle(place.x)), static_cast<float>(at.y + middle(place.y))};
+  return {static_cast<float>(at.x + centre(place.x)), static_cast<float>(at.y + centre(place.y))};
 }
 
 glm::vec2 unitPair(const Place& place) {

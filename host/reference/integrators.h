@@ -17,7 +17,7 @@ struct Lit {
   const LightSources& sources;
 };
 
-/// A camera ray and what it hit: what an integrator's twin, integrators/NAME.cpp, is given.
+/// The input of an integrator, integrators/NAME.cpp: a camera ray and its hit.
 struct CameraSample {
   const World& world;
   const LightSources& sources;
@@ -25,7 +25,7 @@ struct CameraSample {
   const IntegratorUse& integrator;
   glm::dvec3 origin;
   glm::dvec3 direction;  ///< of the ray, of any length
-  std::optional<Met> hit;
+  std::optional<WorldHit> hit;
   const Numbers& numbers;
 };
 

@@ -17,21 +17,21 @@ glm::dvec3 offsetOrigin(const Surface& surface, const glm::dvec3& direction) {
   return surface.position + std::copysign(surface.offset, side) * surface.geometric;
 }
 
-// The lower half of the sphere is mirrored.
+// Directions in the lower half of the sphere are mirrored.
 glm::dvec3 uniformAround(const glm::dvec3& n, glm::dvec2 numbers) {
   const glm::dvec3 d = onSphere(numbers);
   const double height = glm::dot(n, d);
   return height < 0.0 ? d - 2.0 * height * n : d;
 }
 
-// The unit sphere around n's tip, seen from its foot.
+// n plus a uniform point of the unit sphere, normalised.
 glm::dvec3 cosineAround(const glm::dvec3& n, glm::dvec2 numbers) {
   const glm::dvec3 d = n + onSphere(numbers);
   const double length = glm::length(d);
   return length > 0.0 ? d / length : n;
 }
 
-// What leaves the tree's box is free; twice its diagonal is as good as infinity.
+// Segments that leave the scene are unoccluded: its extent() limits their length.
 double openness(const World& world, const Surface& surface, const glm::dvec3& direction,
                 double length) {
   const glm::dvec3 from = offsetOrigin(surface, direction);

@@ -8,7 +8,7 @@ namespace laver::reference {
 /// Space-Efficient Statistically Good Algorithms for Random Number Generation", 2014).
 class Pcg32 {
  public:
-  /// `initstate` chooses the place in a stream, `initseq` the stream.
+  /// `initstate` selects the position in a stream, `initseq` the stream.
   Pcg32(std::uint64_t initstate, std::uint64_t initseq) : increment_((initseq << 1) | 1u) {
     next();
     state_ += initstate;
@@ -26,8 +26,8 @@ class Pcg32 {
   /// Uniform in [0, 1): 23 bits become the mantissa of a float in [1, 2), less 1.
   float nextFloat() { return std::bit_cast<float>((next() >> 9) | 0x3f800000u) - 1.0f; }
 
-  /// Skips `count` numbers: the map x -> a x + c is squared once a bit of `count` (Brown,
-  /// "Random Number Generation with Arbitrary Strides", 1994).
+  /// Skips `count` numbers by squaring the map x -> a x + c once per bit of `count` (Brown, "Random
+  /// Number Generation with Arbitrary Strides", 1994).
   void advance(std::uint64_t count) {
     std::uint64_t a = multiplier, c = increment_;
     for (; count != 0; count >>= 1) {

@@ -4,15 +4,15 @@
 
 namespace laver::reference {
 
-/// Points origin + t * direction; the direction has any length but 0.
+/// The ray origin + t * direction; the direction has any length except 0.
 struct Ray {
   glm::dvec3 origin;
   glm::dvec3 direction;
 };
 
-/// Takes points to a space where the ray starts at 0 and runs along z (Woop, Benthin, Wald,
-/// "Watertight Ray/Triangle Intersection", 2013, section 3.1). A point always goes to the same
-/// place, whatever triangle asks. Each rounding of x and y is at most 2^-53 of the largest
+/// Maps points to a space where the ray starts at 0 and runs along z (Woop, Benthin, Wald,
+/// "Watertight Ray/Triangle Intersection", 2013, section 3.1). The result depends on the ray and
+/// the point only, not on the triangle. Each rounding of x and y is at most 2^-53 of the largest
 /// |point - origin|, and there are fewer than six.
 class Shear {
  public:
@@ -25,13 +25,14 @@ class Shear {
     slope_ = glm::dvec2(ray.direction[x_], ray.direction[y_]) / depth_;
   }
 
-  /// x and y: offset from the ray at the point's own depth; z: depth, not scaled.
+  /// x and y: offset from the ray at the point's own depth; z: depth along the dominant axis, with
+  /// its sign.
   glm::dvec3 operator()(const glm::dvec3& point) const {
     const double z = point[z_] - origin_[z_];
     return {point[x_] - origin_[x_] - slope_.x * z, point[y_] - origin_[y_] - slope_.y * z, z};
   }
 
-  /// The ray's t is a sheared z divided by this: the largest component of its direction.
+  /// The largest component of the ray's direction: t = z / depth() for a mapped point.
   double depth() const { return depth_; }
 
  private:

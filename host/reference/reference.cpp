@@ -64,13 +64,13 @@ reference::Numbers Reference::sampleNumbers(int x, int y, std::uint32_t sample) 
 
 namespace {
 
-void requireTwins(const Scene& scene, const IntegratorUse& shown) {
+void requireTwins(const Scene& scene, const IntegratorUse& integrator) {
   const auto refuse = [](const std::string& file) {
     throw Error(ExitCode::Scene,
                 file + ": the reference renders laver's own integrators and BSDFs only");
   };
-  if (shown.user) refuse(shown.user->file);
-  if (!shown.row->needs.materials) return;
+  if (integrator.user) refuse(integrator.user->file);
+  if (!integrator.row->needs.materials) return;
   for (const Mesh& mesh : scene.meshes)
     if (mesh.bsdf.user) refuse(mesh.bsdf.user->file);
 }
@@ -82,7 +82,7 @@ Rendered Reference::render(const RenderOptions& options) const {
   Observers observers(options.observers);
   observers.started("reference");
   const std::vector<Shown> more = shownBeside(options.more, options.layers);
-  for (const Shown& shown : more) requireTwins(impl_->scene, shown.integrator);
+  for (const Shown& layer : more) requireTwins(impl_->scene, layer.integrator);
   const std::size_t count = 1 + more.size();
   Rendered all = picture(impl_->scene.integrator, options, {0, count}, observers);
   const int width = all.image.width, height = all.image.height;
@@ -109,14 +109,14 @@ Rendered Reference::render(const RenderOptions& options) const {
   return all;
 }
 
-Rendered Reference::picture(const IntegratorUse& shown, const RenderOptions& options, Place place,
-                            Observers& observers) const {
+Rendered Reference::picture(const IntegratorUse& integrator, const RenderOptions& options,
+                            Place place, Observers& observers) const {
   const auto radianceAt = [&](glm::dvec2 film, const reference::Numbers& numbers) {
-    return reference::radiance(impl_->lit(), shown, impl_->view.through(film), numbers);
+    return reference::radiance(impl_->lit(), integrator, impl_->view.through(film), numbers);
   };
-  return reference::renderFilm(impl_->scene, options,
-                               {radianceAt, shown.row->needs.negative, place.index, place.count},
-                               observers);
+  return reference::renderFilm(
+      impl_->scene, options, {radianceAt, integrator.row->needs.negative, place.index, place.count},
+      observers);
 }
 
 std::optional<CentreHit> Reference::centre(glm::dvec2 film) const {

@@ -12,7 +12,7 @@ using glm::dvec2;
 using glm::dvec3;
 constexpr double e = kUnitRoundoff;
 
-// Terms of the derivation.
+// Constants of the derivation in rounding.h.
 constexpr double kSlopes = 2.5;    // part 1
 constexpr double kFarthest = 5.0;  // part 2, of F
 constexpr double kShadow = 58.0;   // parts 3 and 4, of R
@@ -30,7 +30,7 @@ Rounding::Rounding(const Scene& scene)
       view_(scene.camera, dvec3(0.0)),
       reach_(reachOf(scene.camera, normalisationOf(scene))) {}
 
-double Rounding::turnOf(dvec2 film) const {
+double Rounding::rotationOf(dvec2 film) const {
   const dvec2 size(camera_.width, camera_.height);
   const dvec2 slope = (1.0 - 2.0 * film / size) * std::tan(camera_.fov * std::numbers::pi / 360.0) *
                       dvec2(1.0, size.y / size.x);
@@ -41,8 +41,8 @@ double Rounding::turnOf(dvec2 film) const {
   return parts / glm::length(x + y + z) + 1.0 + kSlopes;
 }
 
-// The film moves directions least along the shorter axis of the ellipse that a pixel's circle
-// becomes on the unit sphere.
+// Directions change least along the minor axis of the ellipse to which the unit sphere maps a
+// pixel's circle.
 double Rounding::pixelsPerRadian(dvec2 film) const {
   const auto direction = [&](double x, double y) {
     return glm::normalize(view_.through(film + dvec2(x, y)).ray.direction);
@@ -54,20 +54,20 @@ double Rounding::pixelsPerRadian(dvec2 film) const {
 }
 
 double Rounding::sideways(dvec2 film, double distance, double farthest) const {
-  return e * (turnOf(film) * distance + reach_ + kFarthest * farthest);
+  return e * (rotationOf(film) * distance + reach_ + kFarthest * farthest);
 }
 
 double Rounding::ofHit(dvec2 film, double distance) const {
-  return e * (turnOf(film) + (1.0 + kFarthest) * reach_ / distance) * pixelsPerRadian(film);
+  return e * (rotationOf(film) + (1.0 + kFarthest) * reach_ / distance) * pixelsPerRadian(film);
 }
 
 double Rounding::ofShading(dvec2 film, double distance) const {
-  return e * (turnOf(film) + (1.0 + kFarthest + kShadow) * reach_ / distance) *
+  return e * (rotationOf(film) + (1.0 + kFarthest + kShadow) * reach_ / distance) *
          pixelsPerRadian(film);
 }
 
 double Rounding::ofBackground(dvec2 film) const {
-  return e * (turnOf(film) + 7.0 + std::numbers::sqrt2 * (25.0 + 12.0)) * pixelsPerRadian(film);
+  return e * (rotationOf(film) + 7.0 + std::numbers::sqrt2 * (25.0 + 12.0)) * pixelsPerRadian(film);
 }
 
 double cornerShift(const dvec3& p, const dvec3& direction, dvec2 sheared) {

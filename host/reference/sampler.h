@@ -7,25 +7,25 @@
 
 namespace laver::reference {
 
-/// A sample by its number in its pixel.
+/// A sample, identified by its pixel and its number.
 struct PixelSample {
   int x, y;
   std::uint32_t sample;
 };
 
-/// Film position, in pixels, of a sample: dimension 0 of its random numbers.
+/// The film position, in pixels, of a sample: dimension 0 of its random numbers.
 inline glm::vec2 samplePosition(const Camera& camera, const Sampler& sampler, int x, int y,
                                 std::uint32_t sample) {
   return sampler.row->position(camera, sampler, {x, y, sample});
 }
 
-/// The random numbers of a sample, pairs in [0, 1) by dimension: 1 is the aperture's, which a
-/// pinhole leaves to integrators; paths go on from there.
+/// The random numbers of a sample, pairs in [0, 1) by dimension. Dimension 1 is the aperture's,
+/// which a pinhole camera leaves to integrators; paths use the further ones.
 class Numbers {
  public:
   Numbers(const Camera& camera, const Sampler& sampler, const PixelSample& at)
       : camera_(&camera), sampler_(&sampler), at_(at) {}
-  /// The same pair in each dimension.
+  /// Returns the same pair for each dimension.
   Numbers(glm::dvec2 all) : all_(all) {}  // NOLINT(google-explicit-constructor)
 
   glm::dvec2 pair(std::uint32_t dimension) const {
@@ -35,7 +35,7 @@ class Numbers {
     return glm::clamp(numbers + moved_, 0.0, 1.0);
   }
 
-  /// All pairs moved by the same, within [0, 1].
+  /// All pairs shifted by the same amount, within [0, 1].
   Numbers moved(glm::dvec2 by) const {
     Numbers numbers = *this;
     numbers.moved_ += by;

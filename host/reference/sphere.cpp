@@ -11,11 +11,12 @@ namespace {
 
 using LongVec = glm::vec<3, long double, glm::defaultp>;
 
-// The two t of the line's crossings in order; none if it passes by.
-std::optional<std::pair<long double, long double>> crossings(const Ball& ball, const Ray& ray) {
-  const LongVec d(ray.direction), f = LongVec(ray.origin) - LongVec(ball.centre);
+// The two t of the line's intersections in ascending order; none for a miss.
+std::optional<std::pair<long double, long double>> crossings(const WorldSphere& sphere,
+                                                             const Ray& ray) {
+  const LongVec d(ray.direction), f = LongVec(ray.origin) - LongVec(sphere.centre);
   const long double a = glm::dot(d, d), b = -glm::dot(f, d);
-  const auto r = static_cast<long double>(ball.radius);
+  const auto r = static_cast<long double>(sphere.radius);
   const LongVec nearest = f + b / a * d;
   const long double rest = r * r - glm::dot(nearest, nearest);
   if (!(rest >= 0.0L)) return {};
@@ -28,19 +29,20 @@ std::optional<std::pair<long double, long double>> crossings(const Ball& ball, c
 
 }  // namespace
 
-std::optional<BallHit> closest(const Ball& ball, const Ray& ray, double tmin, double tmax) {
-  const auto both = crossings(ball, ray);
+std::optional<SphereHit> closest(const WorldSphere& sphere, const Ray& ray, double tmin,
+                                 double tmax) {
+  const auto both = crossings(sphere, ray);
   if (!both) return {};
   const auto from = static_cast<long double>(tmin), to = static_cast<long double>(tmax);
   const long double t = both->first >= from ? both->first : both->second;
   if (!(t >= from && t <= to)) return {};
-  const LongVec p = LongVec(ray.origin) - LongVec(ball.centre) + t * LongVec(ray.direction);
-  return BallHit{static_cast<double>(t), glm::dvec3(p / std::sqrt(glm::dot(p, p)))};
+  const LongVec p = LongVec(ray.origin) - LongVec(sphere.centre) + t * LongVec(ray.direction);
+  return SphereHit{static_cast<double>(t), glm::dvec3(p / std::sqrt(glm::dot(p, p)))};
 }
 
-bool crosses(const Ball& ball, const glm::dvec3& from, const glm::dvec3& to) {
+bool crosses(const WorldSphere& sphere, const glm::dvec3& from, const glm::dvec3& to) {
   if (from == to) return false;
-  const auto both = crossings(ball, {from, to - from});
+  const auto both = crossings(sphere, {from, to - from});
   const auto inside = [](long double t) { return t > 0.0L && t < 1.0L; };
   return both && (inside(both->first) || inside(both->second));
 }

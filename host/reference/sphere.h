@@ -6,29 +6,30 @@
 
 namespace laver::reference {
 
-/// A sphere of the scene, hollow.
-struct Ball {
+/// A hollow sphere of the scene.
+struct WorldSphere {
   glm::dvec3 centre;  ///< relative to World::centre()
   double radius;
   std::uint32_t id;  ///< numbered with the triangles
   std::size_t mesh;
 };
 
-/// Where a ray meets it.
-struct BallHit {
+/// The hit of a ray on a sphere.
+struct SphereHit {
   double t;
   glm::dvec3 normal;  ///< unit, outwards
 };
 
-/// The first crossing with t in [tmin, tmax], in long double: by the distance of the line from the
-/// centre, and the root that does not cancel.
-std::optional<BallHit> closest(const Ball& ball, const Ray& ray, double tmin, double tmax);
+/// The first intersection with t in [tmin, tmax], in long double: from the distance of the line
+/// from the centre, and the root that does not cancel.
+std::optional<SphereHit> closest(const WorldSphere& sphere, const Ray& ray, double tmin,
+                                 double tmax);
 
 /// Texture coordinates of the point with that normal: longitude from -x over -y, +x and +y, and
-/// latitude from -z, both taken to [0, 1]. At the poles u is 1/2.
+/// latitude from -z, both mapped to [0, 1]. At the poles u is 1/2.
 glm::dvec2 uvOf(const glm::dvec3& normal);
 
-/// Whether the line between two points crosses it.
-bool crosses(const Ball& ball, const glm::dvec3& from, const glm::dvec3& to);
+/// Whether the segment between two points intersects the sphere.
+bool crosses(const WorldSphere& sphere, const glm::dvec3& from, const glm::dvec3& to);
 
 }  // namespace laver::reference

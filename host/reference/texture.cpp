@@ -8,7 +8,7 @@ namespace laver::reference {
 
 namespace {
 
-// Linear light of the pixel in column x, row y.
+// Linear value of the pixel in column x, row y.
 glm::dvec3 pixel(const Picture& picture, bool raw, int x, int y) {
   glm::dvec3 color;
   for (int c = 0; c < 3; ++c) {

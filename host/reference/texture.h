@@ -5,12 +5,12 @@
 
 namespace laver::reference {
 
-/// What a material reflects at texture coordinates.
+/// The albedo of a material at texture coordinates.
 glm::dvec3 albedoAt(const Bsdf& bsdf, glm::dvec2 uv);
 
-/// Linear light of a picture at x, y in pixels: weight 1 - |distance| on each axis for the pixels
-/// whose centres are less than 1 away. Beyond the left and the right border it repeats; beyond the
-/// others it repeats or the border goes on.
+/// Bilinear interpolation of an image at x, y in pixels, in linear light: weight 1 - |distance| on
+/// each axis for the pixels whose centres are less than 1 away. The image repeats beyond the left
+/// and right border; beyond the others it repeats or continues its border pixel.
 glm::dvec3 interpolated(const Picture& picture, bool raw, double x, double y, bool repeats);
 
 }  // namespace laver::reference

@@ -16,7 +16,7 @@ namespace {
 // of any corner, m the direction's largest component, and u = 2^-53 M. crossing() accepts a
 // triangle only if the exact ray passes it within 6 u (ray.h) at some t*, and its t is off t* by
 // less than 16 u / m. Here each box grows by 64 u, of which the roundings of the grown face, the
-// difference, the reciprocal and the product eat less than 8 u: on each axis the interval found
+// difference, the reciprocal and the product use less than 8 u: on each axis the interval found
 // holds t* with (64 - 8 - 6) u / m to spare on both sides, more than the 16 u / m.
 class BoxTest {
  public:
@@ -29,10 +29,10 @@ class BoxTest {
     const glm::dvec3 size = glm::abs(ray.direction);
     const double largest = std::max({size.x, size.y, size.z});
     for (int i = 0; i < 3; ++i) {
-      // A component below 2^-200 of the largest moves the ray by nothing inside the scene. With
-      // this bound the reciprocal is finite, so that no product is NaN.
-      const double least = std::max(0x1p-200 * largest, std::numeric_limits<double>::min());
-      reciprocal_[i] = std::copysign(1.0 / std::max(size[i], least), ray.direction[i]);
+      // A component below 2^-200 of the largest does not move the ray inside the scene. With this
+      // bound the reciprocal is finite, so that no product is NaN.
+      const double smallest = std::max(0x1p-200 * largest, std::numeric_limits<double>::min());
+      reciprocal_[i] = std::copysign(1.0 / std::max(size[i], smallest), ray.direction[i]);
     }
   }
 
@@ -60,8 +60,8 @@ Tree::Tree(std::vector<Triangle> triangles, unsigned threads) : triangles_(std::
   nodes_ = buildTree(triangles_, threads);
 }
 
-// Calls visit(triangle, tmax) for every triangle whose box the ray meets, near boxes first, until
-// it returns false. It may lower tmax.
+// Calls visit(triangle, tmax) for every triangle whose box the ray hits, near boxes first, until it
+// returns false. visit() may lower tmax.
 template <typename Visit>
 void Tree::walk(const Ray& ray, double tmin, double tmax, const Visit& visit) const {
   if (nodes_.empty()) return;

@@ -36,8 +36,8 @@ double planeT(const Triangle& triangle, const Ray& ray, double crossingT) {
   const LongVec normal = triangle.normal();
   const long double speed = glm::dot(normal, LongVec(ray.direction));
   if (speed == 0.0L) return crossingT;
-  const LongVec way = LongVec(triangle.corner[0]) - LongVec(ray.origin);
-  return std::clamp(static_cast<double>(glm::dot(normal, way) / speed), nearest, farthest);
+  const LongVec toCorner = LongVec(triangle.corner[0]) - LongVec(ray.origin);
+  return std::clamp(static_cast<double>(glm::dot(normal, toCorner) / speed), nearest, farthest);
 }
 
 bool ahead(const Triangle& triangle, const Ray& ray) {

@@ -23,20 +23,20 @@ struct Triangle {
   LongVec normal() const;
 
   std::array<glm::dvec3, 3> corner;
-  std::array<std::uint8_t, 3> place;  ///< given place of each sorted corner
+  std::array<std::uint8_t, 3> place;  ///< original index of each sorted corner
   std::uint32_t id;
 };
 
-/// Where a line meets a triangle.
+/// The intersection of a line with a triangle.
 struct Crossing {
-  double t;         ///< of the ray; a weighted mean of the corners' t
+  double t;         ///< ray parameter: a weighted mean of the corners' t
   Weights weights;  ///< barycentric, of the sorted corners; none negative, sum 1
 };
 
 /// The exact sign of ax * by - ay * bx, as -1, 0 or 1. Rounding is monotone, so unequal rounded
 /// products are ordered like the exact ones; equal ones are ordered by their rounding errors,
 /// which fma gives exactly (Dekker's two-product) unless they underflow; then both are 0.
-inline int turn(const glm::dvec3& a, const glm::dvec3& b) {
+inline int orientation(const glm::dvec3& a, const glm::dvec3& b) {
   double p = a.x * b.y, q = a.y * b.x;
   if (p == q) {
     const double rounded = p;
@@ -46,7 +46,7 @@ inline int turn(const glm::dvec3& a, const glm::dvec3& b) {
   return (p > q) - (p < q);
 }
 
-/// ax * by - ay * bx to about an ulp, of the sign that turn() finds (Kahan's difference).
+/// ax * by - ay * bx to about an ulp, with the sign of orientation() (Kahan's difference).
 inline double area(const glm::dvec3& a, const glm::dvec3& b) {
   const double p = a.x * b.y, q = a.y * b.x;
   return (p - q) + (std::fma(a.x, b.y, -p) - std::fma(a.y, b.x, -q));
@@ -55,18 +55,18 @@ inline double area(const glm::dvec3& a, const glm::dvec3& b) {
 /// Where the ray's line crosses the triangle, borders included, at any t of either sign. Both
 /// sides count; a triangle seen exactly edge-on does not.
 ///
-/// Watertight: a corner's sheared place depends on the ray and the corner alone, and the three
-/// signs are exact for these places, so the answers for a mesh are those of exact arithmetic on
-/// one flat picture of it, moved from the true one by less than 2^-50 of the distances. A point
-/// covered by the picture of a connected surface is covered by one of its triangles.
+/// Watertight: a corner's sheared position depends on the ray and the corner alone, and the three
+/// signs are exact for these positions, so the answers for a mesh are those of exact arithmetic on
+/// one flat projection of it, moved from the true one by less than 2^-50 of the distances. A point
+/// covered by the projection of a connected surface is covered by one of its triangles.
 inline std::optional<Crossing> crossing(const Triangle& triangle, const Shear& shear) {
   const glm::dvec3 a = shear(triangle.corner[0]);
   const glm::dvec3 b = shear(triangle.corner[1]);
   const glm::dvec3 c = shear(triangle.corner[2]);
-  const int u = turn(b, c);
-  const int v = turn(c, a);
+  const int u = orientation(b, c);
+  const int v = orientation(c, a);
   if (u * v < 0) return {};
-  const int w = turn(a, b);
+  const int w = orientation(a, b);
   if (v * w < 0 || w * u < 0) return {};
   Weights weights{std::abs(area(b, c)), std::abs(area(c, a)), std::abs(area(a, b))};
   const double sum = weights[0] + weights[1] + weights[2];
@@ -84,7 +84,7 @@ double planeT(const Triangle& triangle, const Ray& ray, double crossingT);
 /// Whether a ray that starts beside the triangle's plane goes towards it.
 bool ahead(const Triangle& triangle, const Ray& ray);
 
-/// Whether the triangle's plane has `a` on one side and `b` on the other, neither on the plane.
+/// Whether `a` and `b` lie strictly on different sides of the triangle's plane.
 bool separates(const Triangle& triangle, const glm::dvec3& a, const glm::dvec3& b);
 
 }  // namespace laver::reference

@@ -40,8 +40,8 @@ World::World(const Scene& scene, unsigned threads)
   for (const Mesh& mesh : scene.meshes) {
     first_.push_back(count);
     if (mesh.sphere)
-      balls_.push_back({mesh.sphere->centre - centre(), mesh.sphere->radius,
-                        static_cast<std::uint32_t>(count), first_.size() - 1});
+      spheres_.push_back({mesh.sphere->centre - centre(), mesh.sphere->radius,
+                          static_cast<std::uint32_t>(count), first_.size() - 1});
     count += mesh.primitives();
   }
 }
@@ -65,52 +65,52 @@ std::size_t World::meshOf(std::uint32_t id) const {
   return static_cast<std::size_t>(next - first_.begin()) - 1;
 }
 
-std::optional<Met> World::closest(const Ray& ray, double tmin, double tmax) const {
+std::optional<WorldHit> World::closest(const Ray& ray, double tmin, double tmax) const {
   return nearest(tree_.closest(ray, tmin, tmax), ray, tmin, tmax);
 }
 
-std::optional<Met> World::closestAhead(const Ray& ray) const {
+std::optional<WorldHit> World::closestAhead(const Ray& ray) const {
   return nearest(tree_.closestAhead(ray), ray, 0.0, std::numeric_limits<double>::infinity());
 }
 
-std::optional<Met> World::nearest(const std::optional<TreeHit>& triangle, const Ray& ray,
+std::optional<WorldHit> World::nearest(const std::optional<TreeHit>& triangle, const Ray& ray,
                                   double tmin, double tmax) const {
-  std::optional<Met> best;
-  if (triangle) best = Met{triangle->t, triangle};
-  for (const Ball& ball : balls_) {
-    const auto hit = reference::closest(ball, ray, tmin, tmax);
-    if (!hit || (best && (hit->t > best->t || (hit->t == best->t && ball.id > best->id()))))
+  std::optional<WorldHit> best;
+  if (triangle) best = WorldHit{triangle->t, triangle};
+  for (const WorldSphere& sphere : spheres_) {
+    const auto hit = reference::closest(sphere, ray, tmin, tmax);
+    if (!hit || (best && (hit->t > best->t || (hit->t == best->t && sphere.id > best->id()))))
       continue;
-    best = Met{hit->t, {}, &ball, hit->normal};
+    best = WorldHit{hit->t, {}, &sphere, hit->normal};
   }
   return best;
 }
 
 bool World::blocked(const glm::dvec3& from, const glm::dvec3& to) const {
   return tree_.blocked(from, to) ||
-         std::any_of(balls_.begin(), balls_.end(),
-                     [&](const Ball& ball) { return crosses(ball, from, to); });
+         std::any_of(spheres_.begin(), spheres_.end(),
+                     [&](const WorldSphere& sphere) { return crosses(sphere, from, to); });
 }
 
-Surface World::surface(const Met& met) const {
-  if (met.triangle) return surface(*met.triangle);
-  const Ball& ball = *met.ball;
+Surface World::surface(const WorldHit& hit) const {
+  if (hit.triangle) return surface(*hit.triangle);
+  const WorldSphere& sphere = *hit.sphere;
   Surface surface{};
-  surface.position = ball.centre + ball.radius * met.normal;
-  surface.geometric = surface.shading = met.normal;
-  surface.uv = uvOf(met.normal);
-  surface.mesh = &scene_->meshes[ball.mesh];
+  surface.position = sphere.centre + sphere.radius * hit.normal;
+  surface.geometric = surface.shading = hit.normal;
+  surface.uv = uvOf(hit.normal);
+  surface.mesh = &scene_->meshes[sphere.mesh];
   surface.albedo = albedoAt(surface.mesh->bsdf, surface.uv);
-  // Half an ulp of each term a component, and of the moved position: as below.
+  // As below: half an ulp per term and component, and again for the offset position.
   surface.offset =
-      8 * 0x1p-53 * glm::dot(glm::abs(surface.geometric), glm::abs(ball.centre) + ball.radius);
+      8 * 0x1p-53 * glm::dot(glm::abs(surface.geometric), glm::abs(sphere.centre) + sphere.radius);
   return surface;
 }
 
 Surface World::surfaceOn(std::uint32_t id, glm::dvec2 numbers) const {
-  const auto ball = std::find_if(balls_.begin(), balls_.end(),
-                                 [&](const Ball& candidate) { return candidate.id == id; });
-  if (ball != balls_.end()) return surface(Met{0.0, {}, &*ball, onSphere(numbers)});
+  const auto ball = std::find_if(spheres_.begin(), spheres_.end(),
+                                 [&](const WorldSphere& candidate) { return candidate.id == id; });
+  if (ball != spheres_.end()) return surface(WorldHit{0.0, {}, &*ball, onSphere(numbers)});
   const std::size_t index = meshOf(id);
   const Mesh& mesh = scene_->meshes[index];
   const glm::uvec3& t = mesh.triangles[id - first_[index]];
@@ -133,11 +133,11 @@ Surface World::surface(const TreeHit& hit) const {
     size = glm::max(size, glm::abs(triangle.corner[i]));
   }
 
-  // Sorting the corners turns the winding with each odd permutation.
-  const bool turned = (triangle.place[1] + 3 - triangle.place[0]) % 3 == 2;
+  // Odd permutations of the corners reverse the winding.
+  const bool reversed = (triangle.place[1] + 3 - triangle.place[0]) % 3 == 2;
   Surface surface{};
   surface.position = glm::dvec3(position);
-  surface.geometric = unit(turned ? -triangle.normal() : triangle.normal());
+  surface.geometric = unit(reversed ? -triangle.normal() : triangle.normal());
   surface.shading = surface.geometric;
   const Weights given = triangle.asGiven(hit.weights);
   glm::dvec2 uv(given[1], given[2]);
@@ -147,9 +147,9 @@ Surface World::surface(const TreeHit& hit) const {
   }
   surface.albedo = albedoAt(mesh.bsdf, uv);
   surface.mesh = &mesh;
-  // The error of the position off its plane: half an ulp a component, and as much again for the
-  // moved position, is below 2 * 2^-53 * sum |n_i| size_i; 8 leaves room for neighbours whose
-  // corners were rounded out of a common plane.
+  // Bound of the distance between position and plane: half an ulp per component, and again for the
+  // offset position, is below 2 * 2^-53 * sum |n_i| size_i; 8 covers neighbours whose corners were
+  // rounded off a common plane.
   surface.offset = 8 * 0x1p-53 * glm::dot(glm::abs(surface.geometric), size);
 
   if (!mesh.normals.empty()) {

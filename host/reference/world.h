@@ -11,55 +11,55 @@
 
 namespace laver::reference {
 
-/// The point that a ray met, in coordinates relative to World::centre().
+/// The surface at a hit, in coordinates relative to World::centre().
 struct Surface {
   glm::dvec3 position;   ///< the weighted mean of the corners
-  glm::dvec3 geometric;  ///< unit normal of the triangle's plane, by its winding
+  glm::dvec3 geometric;  ///< unit normal of the triangle's plane, oriented by the winding
   glm::dvec3 shading;    ///< unit normal from the vertex normals, else the geometric one
   glm::dvec3 albedo;
-  const Mesh* mesh;  ///< that it belongs to
-  double offset;     ///< distance along a normal that no rounding of `position` exceeds
-  glm::dvec2 uv;     ///< of a sphere, or interpolated from vertices; 0 where they have none
+  const Mesh* mesh;  ///< of the primitive
+  double offset;     ///< bound of the rounding of `position` along the normal
+  glm::dvec2 uv;     ///< of a sphere, or interpolated from vertices; 0 without coordinates
 };
 
-/// What a ray met first: a triangle, or else a sphere.
-struct Met {
+/// The nearest hit of a ray: a triangle, or else a sphere.
+struct WorldHit {
   double t;
   std::optional<TreeHit> triangle;
-  const Ball* ball = nullptr;
+  const WorldSphere* sphere = nullptr;
   glm::dvec3 normal{0.0};  ///< of the sphere
 
-  std::uint32_t id() const { return triangle ? triangle->triangle->id : ball->id; }
+  std::uint32_t id() const { return triangle ? triangle->triangle->id : sphere->id; }
 };
 
-/// A scene's triangles in a tree, numbered in file order over all meshes. Coordinates are relative
-/// to the centre of the meshes' box, which spares digits where a scene lies far from 0. Spheres,
-/// which are few, are in a list.
+/// A scene's primitives, numbered in file order over all meshes: triangles in a tree, spheres,
+/// which are few, in a list. Coordinates are relative to the centre of the meshes' box, which
+/// preserves digits in scenes far from the origin.
 class World {
  public:
-  /// The scene must outlive it. `threads` host threads, 0: all.
+  /// The scene must outlive this object. `threads` host threads, 0: all.
   World(const Scene& scene, unsigned threads);
 
   glm::dvec3 centre() const { return 0.5 * box_.lo + 0.5 * box_.hi; }
   /// The scene's point lights, relative to the centre.
   const std::vector<PointLight>& lights() const { return lights_; }
-  /// Farther than any two points of the meshes are apart.
+  /// Larger than the distance between any two points of the meshes.
   double extent() const { return 2.0 * glm::length(box_.hi - box_.lo); }
-  /// The first hit with t in [tmin, tmax]; of equal ones that of the smallest number.
-  std::optional<Met> closest(const Ray& ray, double tmin, double tmax) const;
+  /// The hit with the smallest t in [tmin, tmax]; of equal ones that with the smallest number.
+  std::optional<WorldHit> closest(const Ray& ray, double tmin, double tmax) const;
   /// The same of a ray that starts beside a surface.
-  std::optional<Met> closestAhead(const Ray& ray) const;
-  /// Whether anything lies between two points.
+  std::optional<WorldHit> closestAhead(const Ray& ray) const;
+  /// Whether any primitive lies between two points.
   bool blocked(const glm::dvec3& from, const glm::dvec3& to) const;
-  Surface surface(const Met& met) const;
+  Surface surface(const WorldHit& hit) const;
   /// A point of a primitive, uniform by area for uniform numbers.
   Surface surfaceOn(std::uint32_t id, glm::dvec2 numbers) const;
-  /// The mesh of a triangle's number, and the number of that mesh's first one.
+  /// The mesh of a primitive's number, and the number of a mesh's first primitive.
   std::size_t meshOf(std::uint32_t id) const;
   std::uint64_t firstOf(std::size_t mesh) const { return first_[mesh]; }
 
  private:
-  std::optional<Met> nearest(const std::optional<TreeHit>& triangle, const Ray& ray, double tmin,
+  std::optional<WorldHit> nearest(const std::optional<TreeHit>& triangle, const Ray& ray, double tmin,
                              double tmax) const;
   Surface surface(const TreeHit& hit) const;
   std::vector<Triangle> gather() const;
@@ -67,7 +67,7 @@ class World {
   const Scene* scene_;
   std::vector<std::uint64_t> first_;  // number of each mesh's first triangle
   Box box_;
-  std::vector<Ball> balls_;
+  std::vector<WorldSphere> spheres_;
   std::vector<PointLight> lights_;
   Tree tree_;
 };

@@ -180,7 +180,7 @@ TEST_F(Resume, AnotherSceneOrCountIsRefused) {
       "count, those of sobol do not");
   EXPECT_EQ(reasonOf(sceneOf(&samplers::sobol, 16), sceneOf(&samplers::sobol, 64), Keep::WhenEnded)
                 .substr(0, 30),
-            "it was begun without --resume:");
+            "it was started without --resume:");
   const char* const changed = "the scene or a file that it names has changed";
   Scene other = scene;
   other.meshes[0].positions[0].x += 1e-6;

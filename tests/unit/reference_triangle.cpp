@@ -12,7 +12,7 @@ using namespace reference;
 
 __extension__ using Int128 = __int128;
 
-int exactTurn(std::int64_t ax, std::int64_t ay, std::int64_t bx, std::int64_t by) {
+int exactOrientation(std::int64_t ax, std::int64_t ay, std::int64_t bx, std::int64_t by) {
   const Int128 value = static_cast<Int128>(ax) * by - static_cast<Int128>(ay) * bx;
   return (value > 0) - (value < 0);
 }
@@ -26,10 +26,10 @@ TEST(ReferenceTriangle, OrientationIsTheExactSign) {
     // Nearly or exactly collinear: the difference of the products is far below their ulp.
     const std::int64_t bx = ax + small(random), by = ay + small(random);
     const glm::dvec3 a(ax, ay, 0), b(bx, by, 0);
-    ASSERT_EQ(turn(a, b), exactTurn(ax, ay, bx, by));
-    undecidedByRounding += a.x * b.y == a.y * b.x && exactTurn(ax, ay, bx, by) != 0;
+    ASSERT_EQ(orientation(a, b), exactOrientation(ax, ay, bx, by));
+    undecidedByRounding += a.x * b.y == a.y * b.x && exactOrientation(ax, ay, bx, by) != 0;
     const double value = area(a, b);
-    ASSERT_EQ((value > 0) - (value < 0), turn(a, b));
+    ASSERT_EQ((value > 0) - (value < 0), orientation(a, b));
   }
   EXPECT_GT(undecidedByRounding, 1000);
 }
@@ -43,7 +43,7 @@ TEST(ReferenceTriangle, CrossingOnAGridWithItsBorder) {
     std::array<std::array<std::int64_t, 3>, 3> v{};
     for (auto& corner : v) corner = {place(random), place(random), place(random)};
     const auto side = [&](std::size_t p, std::size_t q) {
-      return exactTurn(v[p][0], v[p][1], v[q][0], v[q][1]);
+      return exactOrientation(v[p][0], v[p][1], v[q][0], v[q][1]);
     };
     const int u = side(1, 2), w = side(2, 0), x = side(0, 1);
     const bool flat = u == 0 && w == 0 && x == 0;

@@ -7,7 +7,7 @@ namespace laver::reference {
 
 namespace {
 
-// Of standard deviation s, lowered to reach 0 at the radius.
+// A Gaussian, lowered to reach 0 at the radius.
 template <typename T>
 T at(const Filter& filter, T x) {
   const T radius = static_cast<T>(filter.radius), stddev = static_cast<T>(filter.stddev);

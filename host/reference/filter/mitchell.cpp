@@ -7,7 +7,7 @@ namespace laver::reference {
 namespace {
 
 // Mitchell and Netravali, "Reconstruction Filters in Computer Graphics", 1988, equation 8, with
-// its support of 2 stretched over the radius.
+// its support of 2 scaled to the radius.
 template <typename T>
 T at(const Filter& filter, T distance) {
   const T radius = static_cast<T>(filter.radius);

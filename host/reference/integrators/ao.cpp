@@ -5,7 +5,8 @@
 
 namespace laver::reference {
 
-/// 1 if nothing lies in a direction with density cosine / pi around the shading normal, else 0.
+/// 1 if the ray in a direction with density cosine / pi around the shading normal leaves the scene,
+/// else 0; 0 for a miss.
 glm::dvec3 ambientOcclusion(const CameraSample& sample) {
   if (!sample.hit) return glm::dvec3(0.0);
   const Surface surface = sample.world.surface(*sample.hit);

@@ -3,7 +3,7 @@
 
 namespace laver::reference {
 
-/// 1 if nothing lies within `length` in a direction uniform on the hemisphere of the shading
+/// 1 if nothing is hit within `length` in a direction uniform on the hemisphere of the shading
 /// normal, else 0; 1 for a miss.
 glm::dvec3 averageVisibility(const CameraSample& sample) {
   if (!sample.hit) return glm::dvec3(1.0);

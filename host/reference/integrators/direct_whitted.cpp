@@ -7,8 +7,8 @@
 
 namespace laver::reference {
 
-/// Sum over point lights of radiance / r^2 * n.wo * BSDF, where n.wi > 0, n.wo > 0, r^2 > 0 and
-/// nothing lies between; for a miss the background.
+/// Sum over the unoccluded point lights of radiance / r^2 * n.wo * BSDF, where n.wi > 0, n.wo > 0
+/// and r^2 > 0; for a miss the background.
 glm::dvec3 directWhitted(const CameraSample& sample) {
   glm::dvec3 sum(0.0);
   if (!sample.hit) {

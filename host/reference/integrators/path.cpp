@@ -50,7 +50,7 @@ glm::dvec3 path(const CameraSample& sample, const Rules& rules) {
   glm::dvec3 radiance(0.0), throughput(1.0), direction = sample.direction, origin = sample.origin;
   double density = 0.0;
   bool counts = rules.emission;
-  std::optional<Met> hit = sample.hit;
+  std::optional<WorldHit> hit = sample.hit;
   for (int bounce = 0;; ++bounce) {
     if (!hit) {
       const auto& sky = sample.scene.environment;

@@ -4,9 +4,9 @@
 #include "reference/pcg32.h"
 #include "reference/sampler.h"
 
-/// Nori's: every block of 32 x 32 pixels of the full film, cut at the border, has a PCG32 of its
-/// own with state block x + seed and sequence block y + seed, which draws four numbers per sample:
-/// y and x of the film position, then of the aperture. Further dimensions are hashed.
+/// Nori's sampler: every block of 32 x 32 pixels of the full film, clipped at the border, has its
+/// own PCG32 with state block x + seed and sequence block y + seed, which draws four numbers per
+/// sample: y and x of the film position, then of the aperture. Further dimensions are hashed.
 namespace laver::reference::independent {
 
 namespace {
@@ -29,7 +29,7 @@ Pcg32 generatorAt(const Camera& camera, const Sampler& sampler, const PixelSampl
 
 }  // namespace
 
-// The sum pixel + number is a float's.
+// The sum pixel + number is rounded to float.
 glm::vec2 position(const Camera& camera, const Sampler& sampler, const PixelSample& at) {
   Pcg32 random = generatorAt(camera, sampler, at);
   const float jitterY = random.nextFloat();

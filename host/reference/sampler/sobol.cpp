@@ -2,8 +2,8 @@
 #include "reference/sampler.h"
 
 /// Sobol's first two dimensions, each Owen-scrambled by a hash of the pixel. Each further pair of
-/// dimensions is the same sequence by another hash, in an order that Owen scrambling of the
-/// sample's number gives (Burley, JCGT 9(4), 2020, section 5).
+/// dimensions is the same sequence, scrambled by another hash, in an order given by Owen scrambling
+/// of the sample's number (Burley, JCGT 9(4), 2020, section 5).
 namespace laver::reference::sobol {
 
 namespace {
@@ -17,7 +17,8 @@ Word reversed(Word x) {
   return result;
 }
 
-// A dimension of Sobol's sequence: the direction numbers of the number's bits, added mod 2.
+// One dimension of Sobol's sequence: the sum mod 2 of the direction numbers for the bits of
+// `number`.
 template <class Next>
 Word sequence(Word number, Next next) {
   Word sum = 0;
@@ -27,8 +28,8 @@ Word sequence(Word number, Next next) {
   return sum;
 }
 
-// Owen scrambling; x -> x ^ x k with k even, and x -> x k with k odd, let a bit of reversed(x)
-// depend on itself and on lower ones only.
+// Owen scrambling. In x -> x ^ x k with even k and x -> x k with odd k, a bit of reversed(x)
+// depends only on itself and lower bits.
 Word scrambled(Word x, Word seed) {
   x = reversed(x);
   x ^= x * 0x3d20adeau;

@@ -3,8 +3,8 @@
 #include "reference/hashed_sampler.h"
 #include "reference/sampler.h"
 
-/// Strata of one size, column by column, from a stratum that the pixel's hash picks; in each a hash
-/// of the pixel and the sample's number. The other dimensions are hashed.
+/// Strata of equal size, column by column, starting at a stratum chosen by the pixel's hash; in
+/// each a position hashed from the pixel and the sample's number. The other dimensions are hashed.
 namespace laver::reference::stratified {
 
 namespace {
@@ -12,7 +12,7 @@ namespace {
 using hashed::Hash;
 using hashed::Word;
 
-// `random` of 2^32 in stratum `index` of `count`, each floor(2^32 / count) wide.
+// The position `random` / 2^32 within stratum `index` of `count`, each floor(2^32 / count) wide.
 Word inStratum(std::uint64_t index, std::uint64_t count, std::uint64_t random) {
   const std::uint64_t width = (std::uint64_t{1} << 32) / count;
   return static_cast<Word>(index * width + (random * width >> 32));
@@ -22,7 +22,7 @@ Word inStratum(std::uint64_t index, std::uint64_t count, std::uint64_t random) {
 
 glm::vec2 position(const Camera& camera, const Sampler& sampler, const PixelSample& at) {
   const Hash pixel = hashed::pixelHash(at, hashed::foldedSeed(sampler));
-  // The pair of factors that are nearest to each other.
+  // The factors of the count that are closest to each other.
   const std::uint64_t count = sampler.sampleCount;
   auto columns = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(count)));
   while (count % columns != 0) --columns;
