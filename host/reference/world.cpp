@@ -74,7 +74,7 @@ std::optional<WorldHit> World::closestAhead(const Ray& ray) const {
 }
 
 std::optional<WorldHit> World::nearest(const std::optional<TreeHit>& triangle, const Ray& ray,
-                                  double tmin, double tmax) const {
+                                       double tmin, double tmax) const {
   std::optional<WorldHit> best;
   if (triangle) best = WorldHit{triangle->t, triangle};
   for (const WorldSphere& sphere : spheres_) {
@@ -108,9 +108,10 @@ Surface World::surface(const WorldHit& hit) const {
 }
 
 Surface World::surfaceOn(std::uint32_t id, glm::dvec2 numbers) const {
-  const auto ball = std::find_if(spheres_.begin(), spheres_.end(),
-                                 [&](const WorldSphere& candidate) { return candidate.id == id; });
-  if (ball != spheres_.end()) return surface(WorldHit{0.0, {}, &*ball, onSphere(numbers)});
+  const auto sphere =
+      std::find_if(spheres_.begin(), spheres_.end(),
+                   [&](const WorldSphere& candidate) { return candidate.id == id; });
+  if (sphere != spheres_.end()) return surface(WorldHit{0.0, {}, &*sphere, onSphere(numbers)});
   const std::size_t index = meshOf(id);
   const Mesh& mesh = scene_->meshes[index];
   const glm::uvec3& t = mesh.triangles[id - first_[index]];

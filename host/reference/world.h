@@ -59,8 +59,8 @@ class World {
   std::uint64_t firstOf(std::size_t mesh) const { return first_[mesh]; }
 
  private:
-  std::optional<WorldHit> nearest(const std::optional<TreeHit>& triangle, const Ray& ray, double tmin,
-                             double tmax) const;
+  std::optional<WorldHit> nearest(const std::optional<TreeHit>& triangle, const Ray& ray,
+                                  double tmin, double tmax) const;
   Surface surface(const TreeHit& hit) const;
   std::vector<Triangle> gather() const;
 

@@ -18,48 +18,48 @@ struct BsdfPoint;
 struct BsdfSample;
 }  // namespace reference
 
-/// A BSDF. Its kernel's part is shaders/bsdf/NAME.glsl. Directions point away from the surface: wi
-/// to where the light goes, wo to where it comes from.
+/// A BSDF. Its GLSL is shaders/bsdf/NAME.glsl. Directions point away from the surface: wi to where
+/// the light goes, wo to where it comes from.
 struct BsdfRow {
   const char* name;                       ///< in scenes
   std::vector<const char*> spellings{};   ///< other names in scenes
   const char* object = "";                ///< Nori's class, in the dump
-  std::vector<PropertyRow> properties{};  ///< one colour at most, and up to four floats
-  bool delta = false;                     ///< reflects in single directions: eval and pdf are 0
-  /// The BSDF for two unit directions.
+  std::vector<PropertyRow> properties{};  ///< at most one colour and four floats
+  bool delta = false;                     ///< a delta distribution: eval and pdf are 0
+  /// The value of the BSDF for two unit directions.
   glm::dvec3 (*eval)(const reference::BsdfPoint& point, glm::dvec3 wi, glm::dvec3 wo) = nullptr;
-  /// Density of sample()'s directions per solid angle.
+  /// Density per solid angle of the directions of sample().
   double (*pdf)(const reference::BsdfPoint& point, glm::dvec3 wi, glm::dvec3 wo) = nullptr;
-  /// Draws a direction by two numbers in [0, 1).
+  /// Samples a direction from two numbers in [0, 1).
   reference::BsdfSample (*sample)(const reference::BsdfPoint& point, glm::dvec3 wi,
                                   glm::dvec2 numbers) = nullptr;
 };
 
 namespace bsdfs {
-/// What meshes have that say nothing.
+/// The default of meshes without a BSDF.
 extern const BsdfRow diffuse;
 }  // namespace bsdfs
 
 const Rows<BsdfRow>& bsdfRows();
 
-/// A BSDF in a GLSL file of the user's own, one for all meshes that name it. It has no twin; its
-/// properties are those that any of the meshes gives, 0 where another gives none.
+/// A BSDF from a user's GLSL file, shared by all meshes that name it. The reference cannot evaluate
+/// it. Its properties are those that any of the meshes sets, 0 in meshes that do not.
 struct UserBsdf {
   std::string name, file, text;
   std::list<std::string> names;  ///< of the properties: the row points to them
   BsdfRow row;
 };
 
-/// Reads one. Nothing where the file cannot be read.
+/// Reads a file; null if it cannot be read.
 std::shared_ptr<UserBsdf> userBsdf(const std::string& file);
 
-/// What a mesh is made of.
+/// The BSDF of a mesh with its properties.
 struct Bsdf {
   const BsdfRow* row = &bsdfs::diffuse;
-  glm::dvec3 albedo{0.5};                  ///< its colour property; white where the row has none
-  std::optional<Texture> texture;          ///< stands for the colour
-  Values values{};                         ///< its floats, where they differ from the row's
-  std::shared_ptr<const UserBsdf> user{};  ///< a BSDF in a file of the user's own
+  glm::dvec3 albedo{0.5};                  ///< its colour property; white if the row has none
+  std::optional<Texture> texture;          ///< replaces the colour
+  Values values{};                         ///< floats that differ from the row's defaults
+  std::shared_ptr<const UserBsdf> user{};  ///< if the BSDF is from a user's file
 
   double real(std::string_view property) const {
     return std::get<double>(valueOf(row->properties, values, property));

@@ -66,10 +66,10 @@ void buildPerspective(const Properties& given, std::string_view, Draft& draft) {
   camera.fov = given.real("fov");
   camera.nearClip = given.real("nearClip");
   camera.farClip = given.real("farClip");
-  constexpr std::int64_t kMostPixels = std::numeric_limits<int>::max();
-  if (std::int64_t{camera.width} * camera.height > kMostPixels) {
+  constexpr std::int64_t kMaxPixels = std::numeric_limits<int>::max();
+  if (std::int64_t{camera.width} * camera.height > kMaxPixels) {
     given.error("width", fmt::format("a film of {}x{} has more than {} pixels", camera.width,
-                                     camera.height, kMostPixels));
+                                     camera.height, kMaxPixels));
   }
   if (!(camera.farClip > camera.nearClip)) {
     given.error("farClip", fmt::format("farClip must be more than nearClip ({}), found {}",

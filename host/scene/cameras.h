@@ -7,7 +7,7 @@
 
 namespace laver {
 
-/// A kind of camera. Its kernel's part is shaders/camera/NAME.glsl.
+/// A type of camera. Its GLSL is shaders/camera/NAME.glsl.
 struct CameraRow {
   const char* name;
   const char* object = "";  ///< Nori's class, in the dump

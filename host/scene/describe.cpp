@@ -9,7 +9,7 @@ namespace {
 using dump::plain;
 using dump::triple;
 
-// Rows, the later ones under the first number.
+// The rows of a matrix, aligned below the first one.
 std::string rows(const glm::dmat4& m, std::size_t column) {
   std::string text = "[";
   for (int r = 0; r < 4; ++r) {
@@ -120,7 +120,7 @@ std::string list(const std::vector<T>& items, std::string (*describeItem)(const 
 }  // namespace
 
 std::string describe(const Scene& scene) {
-  // The missing comma behind the sampler is Nori's.
+  // The missing comma after the sampler is Nori's.
   std::string text = fmt::format(
       "Scene[\n  integrator = {},\n  sampler = {}\n  camera = {},\n  medium = null,\n"
       "  envEmitter = {},\n",

@@ -6,21 +6,21 @@
 
 namespace laver::xml {
 
-/// Collects what is wrong with a scene, to tell it all at once and in file order.
+/// Collects errors and warnings of a scene and reports them all, in file order.
 class Diagnostics {
  public:
   explicit Diagnostics(const TextSource& source) : source_(source) {}
 
-  /// A fault at a byte offset of the scene file; the text is what follows "error: ".
+  /// An error at a byte offset of the scene file; `message` follows "error: ".
   void error(std::size_t offset, const std::string& message);
   void warning(std::size_t offset, const std::string& message);
 
-  /// A ready line about another file, told where the scene names that file.
+  /// A complete line about another file, sorted by the offset at which the scene names that file.
   void errorLine(std::size_t offset, std::string line);
   void warningLine(std::size_t offset, std::string line);
 
   std::size_t errorCount() const { return errors_.size(); }
-  /// Throws Error(ExitCode::Scene) with one line an error, if there is any.
+  /// Throws Error(ExitCode::Scene) with one line per error, if there are any.
   void throwErrors() const;
   /// The warnings, one line each, in file order.
   std::vector<std::string> warnings() const;

@@ -7,7 +7,7 @@ namespace laver {
 struct Dialect {
   const char* name;
   std::vector<const char*> spellings{};
-  bool mirrored = false;       ///< the camera's +x is on the right of the film, not on the left
+  bool mirrored = false;        ///< the camera's +x is on the right of the film, not on the left
   bool emittersAbsorb = false;  ///< a surface that emits reflects nothing
 };
 

@@ -7,7 +7,7 @@
 /// Numbers as Nori prints them.
 namespace laver::dump {
 
-/// No negative zero.
+/// Replaces negative zero by zero.
 inline double plain(double x) { return x == 0.0 ? 0.0 : x; }
 
 inline std::string triple(const glm::dvec3& v) {

@@ -64,8 +64,8 @@ void buildArea(const Properties& given, std::string_view parent, Draft& draft) {
 void addEnvironment(const Properties& given, std::string_view parent,
                     const Environment& environment, Draft& draft) {
   if (parent != "scene") {
-    given.error("radiance", fmt::format("{} stands in <{}>, expected it in <scene>",
-                                        nameOf(given.rule()), parent));
+    given.error("radiance",
+                fmt::format("{} is in <{}>, expected in <scene>", nameOf(given.rule()), parent));
   } else if (draft.scene.environment) {
     given.error("radiance",
                 fmt::format("{} is a second background, expected one", nameOf(given.rule())));
@@ -84,7 +84,7 @@ void buildEnvironment(const Properties& given, std::string_view parent, Draft& d
   addEnvironment(given, parent, environment, draft);
 }
 
-// Dialects name its file in other ways; white would be a wrong guess.
+// Other dialects name the file differently, and a white default would be wrong.
 void buildEnvmap(const Properties& given, std::string_view parent, Draft& draft) {
   if (needsShading(draft) && !given.wasGiven(given.find("filename")) &&
       !given.wasGiven(given.find("radiance"))) {
@@ -120,8 +120,8 @@ std::vector<PropertyRow> environmentProperties() {
   const Environment environment;
   return {{.name = "filename",
            .type = String,
-           .meaning = "picture in longitude and latitude; none: one radiance"},
-          backgroundRow("of all directions, or the picture's factor"),
+           .meaning = "image by longitude and latitude; without one, a constant radiance"},
+          backgroundRow("radiance, or factor of the image"),
           {.name = "scale", .type = Float, .start = 1.0, .meaning = "factor of the radiance"},
           {.name = "raw",
            .type = Boolean,
@@ -130,7 +130,7 @@ std::vector<PropertyRow> environmentProperties() {
           {.name = "toWorld",
            .type = Transform,
            .start = environment.toWorld,
-           .meaning = "from the picture's directions"}};
+           .meaning = "from the image's directions"}};
 }
 
 }  // namespace
@@ -153,7 +153,7 @@ const EmitterRow point{
                                .type = Color,
                                .start = glm::dvec3(0.0),
                                .required = true,
-                               .meaning = "4 pi times what a pointlight calls its radiance"}},
+                               .meaning = "4 pi times the radiance of a pointlight"}},
                .build = buildPowerLight}},
     .sample = reference::point};
 

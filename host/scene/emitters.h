@@ -25,7 +25,7 @@ struct EmitterRow {
   const char* object = "";  ///< Nori's class, in the dump
   std::vector<Form> forms{};
   reference::LightSample (*sample)(const PointLight& light, const glm::dvec3& from) = nullptr;
-  /// Radiance that a ray of that direction, of any length but 0, sees where it hits nothing.
+  /// Background radiance in a direction of any length except 0.
   glm::dvec3 (*background)(const Environment& environment, const glm::dvec3& direction) = nullptr;
   /// Draws a direction to the background, and its density per solid angle.
   reference::DirectionSample (*direction)(const Environment& environment,
@@ -55,12 +55,12 @@ struct AreaLight {
 /// rows go from +y to -y and the columns from -z over +x, +z and -x, as in Mitsuba. Of a disk, the
 /// radiance of the directions within `angle` of +z.
 struct Environment {
-  glm::dvec3 radiance{1.0};  ///< of all directions, or an image's factor
-  glm::dmat4 toWorld{1.0};   ///< its linear part counts
+  glm::dvec3 radiance{1.0};  ///< constant radiance, or factor of the image
+  glm::dmat4 toWorld{1.0};   ///< only the linear part is used
   std::string filename{};    ///< empty: no image
   bool raw = false;
   double angle = 180.0;                    ///< degrees
-  std::shared_ptr<const Picture> image{};  ///< none where the integrator shows no background
+  std::shared_ptr<const Picture> image{};  ///< null if the integrator does not use the background
   const EmitterRow* row = &emitters::environment;
 };
 

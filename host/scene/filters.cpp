@@ -21,15 +21,14 @@ PropertyRow radiusRow() {
           .meaning = "samples farther than this on either axis have no weight"};
 }
 
-// Lowered to reach 0 at the radius.
+// A Gaussian, lowered to reach 0 at the radius.
 double gaussianAt(const Filter& f, double x) {
   const double alpha = -1.0 / (2.0 * f.stddev * f.stddev);
   return std::max(0.0, std::exp(alpha * x * x) - std::exp(alpha * f.radius * f.radius));
 }
 
-// Mitchell and Netravali, "Reconstruction Filters in Computer Graphics", 1988, equation 8, with
-// its support of 2 stretched over the radius. The outer part is in terms of the distance to its
-// end, where all terms but the square vanish.
+// Mitchell and Netravali, "Reconstruction Filters in Computer Graphics", 1988, equation 8, with its
+// support of 2 scaled to the radius. The outer piece is factored at its double root.
 double mitchellAt(const Filter& f, double x) {
   const double s = 2.0 * std::abs(x) / f.radius, y = 2.0 - s;
   if (s < 1.0)

@@ -13,7 +13,7 @@ namespace reference {
 struct FilterTwin;
 }
 
-/// A reconstruction filter. Its kernel's part is shaders/filter/NAME.glsl, its twin
+/// A reconstruction filter. Its GLSL is shaders/filter/NAME.glsl, its counterpart in the reference
 /// host/reference/filter/NAME.cpp.
 struct FilterRow {
   const char* name;                      ///< in scenes and on the command line
@@ -21,23 +21,23 @@ struct FilterRow {
   const char* object = "";               ///< Nori's class, in the dump
   double radius = 0.0;                   ///< default, pixels
   std::vector<PropertyRow> properties{};
-  std::vector<double Filter::*> members{};  ///< where the properties are kept
-  bool narrowForm = false;                  ///< also as shaders/filter/NAME_narrow.glsl
-  /// params.filterShape of its GLSL; nullptr: it has none.
+  std::vector<double Filter::*> members{};  ///< of the properties, in their order
+  bool narrowForm = false;                  ///< shaders/filter/NAME_narrow.glsl exists
+  /// params.filterShape of its GLSL; nullptr if it has none.
   glm::dvec2 (*shape)(const Filter& filter) = nullptr;
-  /// One axis at x pixels from the centre, |x| <= radius, in double precision.
+  /// The filter on one axis at x pixels from the centre, |x| <= radius, in double precision.
   double (*evaluate)(const Filter& filter, double x) = nullptr;
   const reference::FilterTwin* twin = nullptr;
 };
 
 namespace filters {
-/// Those that other code names.
+/// Rows that other code refers to.
 extern const FilterRow gaussian, mitchell, tent, box;
 }  // namespace filters
 
 const Rows<FilterRow>& filterRows();
 
-/// Reconstruction filter, separable; radius and stddev in pixels.
+/// A separable reconstruction filter; radius and stddev in pixels.
 struct Filter {
   const FilterRow* row = &filters::gaussian;
   double radius = 2.0;
@@ -46,7 +46,7 @@ struct Filter {
   double C = 1.0 / 3.0;  ///< Mitchell only
 };
 
-/// With the parameters that a scene may leave out.
+/// A filter with default parameters.
 Filter filterOf(const FilterRow& row);
 
 }  // namespace laver

@@ -11,11 +11,11 @@ class Properties;
 struct Draft;
 }  // namespace xml
 
-/// One way in which scenes write an object, of which courses may have several.
+/// One notation of an object in scenes; courses may use several.
 struct Form {
   const char* type;
   std::vector<PropertyRow> properties{};
-  /// Adds the object to the scene. `parent` is the tag that it stands in.
+  /// Adds the object to the scene. `parent` is the tag around it.
   void (*build)(const xml::Properties& given, std::string_view parent, xml::Draft& draft) = nullptr;
 };
 

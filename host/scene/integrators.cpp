@@ -57,7 +57,7 @@ const IntegratorRow averageVisibility{
                     .required = true,
                     .range = moreThan(0.0),
                     .unit = kSceneUnits,
-                    .meaning = "how far it looks"}},
+                    .meaning = "maximum distance of an occluder"}},
     .needs = {.normals = true, .numbers = true},
     .radiance = reference::averageVisibility};
 

@@ -15,7 +15,7 @@ namespace reference {
 struct CameraSample;
 }
 
-/// What an integrator reads. Nothing else is uploaded for it or computed in its kernel.
+/// The data that an integrator needs. Nothing else is uploaded for it or computed in its kernel.
 struct Needs {
   bool normals = false;     ///< vertex normals
   bool materials = false;   ///< BSDFs and their textures
@@ -26,36 +26,35 @@ struct Needs {
   bool negative = false;    ///< its values may be negative
 };
 
-/// What an integrator shows where a camera ray hits nothing. Pixels that can only show black are
+/// The value of an integrator where a camera ray hits nothing. Pixels that are certainly black are
 /// skipped.
 enum class Miss {
   Unknown,  ///< no pixel is skipped
   Black,
-  Background  ///< of the scene; black where it has none
+  Background  ///< that of the scene, or black
 };
 
 /// An integrator. Its kernel is shaders/integrators/NAME.glsl.
 struct IntegratorRow {
   const char* name;                      ///< in scenes and on the command line
   std::vector<const char*> spellings{};  ///< other names in scenes
-  const char* object =
-      nullptr;  ///< Nori's class, in the dump; nullptr: a layer, which no scene names
+  const char* object = nullptr;          ///< Nori's class, in the dump; nullptr: for layers only
   std::vector<PropertyRow> properties{};
   Needs needs{};
   Miss miss = Miss::Unknown;
   bool litOnly = false;  ///< surfaces are black in a scene without lights
-  bool bounces = false;  ///< its rays go on from surfaces, in directions that they do not share
-  /// Radiance along a camera ray in double precision, misses included.
+  bool bounces = false;  ///< its rays continue from surfaces, in directions that they do not share
+  /// Radiance along a camera ray in double precision, including misses.
   glm::dvec3 (*radiance)(const reference::CameraSample& sample) = nullptr;
 };
 
 namespace integrators {
-/// Those that other code names.
+/// Rows that other code refers to.
 extern const IntegratorRow normals, directWhitted, depth, averageVisibility, ambientOcclusion,
     shadingNormal, albedo;
 }  // namespace integrators
 
-/// All that scenes may name.
+/// The integrators that scenes can name.
 const Rows<IntegratorRow>& integratorRows();
 
 struct UserIntegrator;
@@ -63,29 +62,29 @@ struct UserIntegrator;
 /// An integrator and its properties.
 struct IntegratorUse {
   const IntegratorRow* row = &integrators::normals;
-  Values values{};  ///< those that differ from the row's; of a user's own integrator, all
-  std::shared_ptr<const UserIntegrator> user{};  ///< an integrator in a file of the user's own
+  Values values{};  ///< that differ from the row's defaults; all of a user's integrator
+  std::shared_ptr<const UserIntegrator> user{};  ///< if the integrator is from a user's file
 
   double real(std::string_view property) const {
     return std::get<double>(valueOf(row->properties, values, property));
   }
   void set(std::string_view property, Value value) { setValue(values, property, std::move(value)); }
   bool is(const IntegratorRow& other) const { return row == &other; }
-  /// The same integrator, whatever its properties.
+  /// Compares the integrators, not their properties.
   bool operator==(const IntegratorUse& other) const;
 };
 
-/// An integrator in a GLSL file of the user's own. Nothing is known of it: it is given all that a
-/// scene has, and no pixel is skipped.
+/// An integrator from a user's GLSL file. Its needs are unknown, so it gets everything that a scene
+/// has, and no pixel is skipped.
 struct UserIntegrator {
   std::string name, file, text;
   IntegratorRow row;
 };
 
-/// Reads one. Nothing where the file cannot be read.
+/// Reads a file; nothing if it cannot be read.
 std::optional<IntegratorUse> userIntegrator(const std::string& file);
 
-/// Whether what an integrator shows depends on materials, lights or the background.
+/// Whether an integrator's result depends on materials, lights or the background.
 inline bool shades(const IntegratorRow& row) {
   return row.needs.materials || row.needs.lights || row.needs.emitters || row.needs.background;
 }

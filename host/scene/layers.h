@@ -12,23 +12,23 @@
 
 namespace laver {
 
-/// The first hit of the ray through a pixel's centre.
+/// The hit of the ray through a pixel's centre.
 struct CentreHit {
   double distance = 0.0;     ///< from the camera, scene units
   glm::dvec3 position{0.0};  ///< scene space
   glm::dvec2 uv{0.0};
-  std::uint32_t mesh = 0, triangle = 0;  ///< numbers in the scene, in the mesh
+  std::uint32_t mesh = 0, triangle = 0;  ///< index in the scene, and in the mesh
 };
 
-/// What a file can show beside the picture: the picture of an integrator, reconstructed by the
-/// picture's own filter; or, where a mean across an edge would mean nothing, the point that the ray
-/// through the pixel's centre hits; or neither, the number of samples.
+/// An additional layer of the EXR file: the picture of an integrator, reconstructed by the same
+/// filter; or properties of the hit of the ray through the pixel's centre, for which a mean across
+/// an edge would be meaningless; or neither, the number of samples.
 struct LayerRow {
   const char* name;
   std::vector<const char*> spellings{};
   std::vector<std::string> channels{};  ///< in the file
   const IntegratorRow* integrator = nullptr;
-  /// Writes a value for each channel; `hit` is nullptr where nothing is hit.
+  /// Writes one value per channel; `hit` is nullptr for a miss.
   void (*write)(const CentreHit* hit, float* out) = nullptr;
 };
 
@@ -42,20 +42,19 @@ inline bool asks(const Rows<LayerRow>& layers, const LayerRow& layer) {
   return std::find(layers.begin(), layers.end(), &layer) != layers.end();
 }
 
-/// A picture that is reconstructed beside the scene's own, and its channels in the file.
+/// A layer that is the picture of an integrator, and its channels in the file.
 struct Shown {
   IntegratorUse integrator;
   std::vector<std::string> channels;
 };
 
-/// What further integrators and layers ask to reconstruct.
+/// The pictures for further integrators and layers.
 std::vector<Shown> shownBeside(std::span<const IntegratorUse> more, const Rows<LayerRow>& layers);
 
-/// Channels of the layers that are taken at pixels' centres, in the order of `layers`.
+/// Channels of the layers of pixel centres, in the order of `layers`.
 std::vector<std::string> centreChannels(const Rows<LayerRow>& layers);
 
-/// Writes the centre layers' values of a pixel to `out`, one float per channel. Without a hit they
-/// are 0, ids -1.
+/// Writes a pixel's values of these layers to `out`, one float per channel: 0 for a miss, ids -1.
 void writeCentre(const Rows<LayerRow>& layers, const std::optional<CentreHit>& hit, float* out);
 
 }  // namespace laver

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A file that one or more meshes use; it is reported where the first of them stands.
+// A file that one or more meshes use; errors are reported at the first of them.
 struct MeshFile {
   std::string path;
   std::string name;  // as the scene gives it
@@ -21,15 +21,15 @@ struct MeshFile {
   obj::LoadResult loaded;
 };
 
-// Adds the mesh's file to `files` unless it is there; returns its place, or -1 for no such file.
-std::ptrdiff_t place(const TextSource& source, const MeshDraft& mesh,
-                     std::map<std::string, std::size_t>& known, std::vector<MeshFile>& files,
-                     Diagnostics& diagnostics) {
-  if (mesh.filename.empty()) return -1;  // a sphere, or an error of its own
+// Adds the mesh's file to `files` if it is new; returns its index, or -1 without a file.
+std::ptrdiff_t indexOf(const TextSource& source, const MeshDraft& mesh,
+                       std::map<std::string, std::size_t>& known, std::vector<MeshFile>& files,
+                       Diagnostics& diagnostics) {
+  if (mesh.filename.empty()) return -1;  // a sphere, or a mesh with an error
   const std::string path = findFile(source.file(), mesh.filename);
   if (path.empty()) {
     diagnostics.error(mesh.offset,
-                      fmt::format("mesh file {} not found, expected it beside the scene or in the "
+                      fmt::format("mesh file {} not found, expected next to the scene or in the "
                                   "working directory",
                                   inQuotes(mesh.filename)));
     return -1;
@@ -69,7 +69,7 @@ void loadMeshes(const TextSource& source, Draft& draft, Diagnostics& diagnostics
   std::vector<MeshFile> files;
   std::vector<std::ptrdiff_t> fileOf;
   for (const MeshDraft& mesh : draft.meshes) {
-    fileOf.push_back(place(source, mesh, known, files, diagnostics));
+    fileOf.push_back(indexOf(source, mesh, known, files, diagnostics));
   }
   parallelFor(files.size(), 1, 0, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) files[i].loaded = obj::load(files[i].path);

@@ -6,12 +6,12 @@
 
 namespace laver::xml {
 
-/// Where a file of a scene lies: beside the scene file, then in the working directory, then as
-/// written. Empty if it is nowhere.
+/// The path of a file that a scene names: next to the scene file, in the working directory, or the
+/// name itself. Empty if there is none.
 std::string findFile(const std::string& sceneFile, const std::string& name);
 
-/// Reads the mesh files of a draft, each once and several at a time, and moves the meshes into the
-/// scene. A mesh that fails leaves errors.
+/// Reads the mesh files of a draft, each once and several concurrently, and moves the meshes into
+/// the scene. A mesh that fails causes errors.
 void loadMeshes(const TextSource& source, Draft& draft, Diagnostics& diagnostics);
 
 }  // namespace laver::xml

@@ -11,7 +11,7 @@ using xml::Properties;
 using enum PropertyType;
 
 void buildObj(const Properties& given, std::string_view, Draft& draft) {
-  // Without a file name the mesh still takes its children.
+  // A mesh without a file name still takes its children.
   std::string name;
   if (given.has("filename")) {
     name = given.text("filename");
@@ -29,18 +29,17 @@ void buildSphere(const Properties& given, std::string_view, Draft& draft) {
 
 namespace meshes {
 
-const MeshRow obj{.name = "obj",
-                  .object = "Mesh",
-                  .forms = {{.type = "obj",
-                             .properties = {{.name = "filename",
-                                             .type = String,
-                                             .required = true,
-                                             .meaning = "OBJ, beside the scene"},
-                                            {.name = "toWorld",
-                                             .type = Transform,
-                                             .start = glm::dmat4(1.0),
-                                             .meaning = "from the file's coordinates"}},
-                             .build = buildObj}}};
+const MeshRow obj{
+    .name = "obj",
+    .object = "Mesh",
+    .forms = {{.type = "obj",
+               .properties =
+                   {{.name = "filename", .type = String, .required = true, .meaning = "OBJ file"},
+                    {.name = "toWorld",
+                     .type = Transform,
+                     .start = glm::dmat4(1.0),
+                     .meaning = "from the file's coordinates"}},
+               .build = buildObj}}};
 
 const MeshRow sphere{.name = "sphere",
                      .object = "Sphere",

@@ -12,7 +12,7 @@
 
 namespace laver {
 
-/// A kind of geometry.
+/// A type of geometry.
 struct MeshRow {
   const char* name;
   const char* object = "";  ///< Nori's class, in the dump
@@ -25,7 +25,7 @@ extern const MeshRow obj, sphere;
 
 const Rows<MeshRow>& meshRows();
 
-/// In world space; its normal points outwards.
+/// A sphere in world space; its normal points outwards.
 struct Sphere {
   glm::dvec3 centre{0.0};
   double radius = 1.0;
@@ -33,17 +33,17 @@ struct Sphere {
 
 /// Triangles in world space. Attributes are empty or hold one entry per vertex.
 struct Mesh {
-  std::string name;              ///< the file name as the scene gives it
+  std::string name;              ///< file name in the scene
   std::optional<Sphere> sphere;  ///< instead of triangles
   std::vector<glm::dvec3> positions;
   std::vector<glm::dvec3> normals;  ///< unit length
   std::vector<glm::dvec2> uvs;
-  std::vector<glm::uvec3> triangles;   ///< indices into the above, in file order
-  std::uint64_t droppedTriangles = 0;  ///< zero-area triangles left out at load
+  std::vector<glm::uvec3> triangles;   ///< vertex indices, in file order
+  std::uint64_t droppedTriangles = 0;  ///< of zero area, dropped when the file was read
   Bsdf bsdf;
   std::optional<AreaLight> light;  ///< its surface emits
 
-  /// Triangles and spheres, which are numbered together.
+  /// Number of triangles, or 1 for a sphere.
   std::size_t primitives() const { return sphere ? 1 : triangles.size(); }
   const MeshRow& row() const { return sphere ? meshes::sphere : meshes::obj; }
 };

@@ -10,12 +10,12 @@
 namespace laver::xml {
 namespace {
 
-constexpr int kDeepest = 64;
+constexpr int kMaxDepth = 64;
 
 std::string explain(const pugi::xml_parse_result& result) {
   switch (result.status) {
     case pugi::status_unrecognized_tag:
-      return "this is no tag, expected a name behind '<'";
+      return "this is not a tag, expected a name after '<'";
     case pugi::status_bad_pi:
       return "a processing instruction or declaration is broken";
     case pugi::status_bad_comment:
@@ -39,13 +39,13 @@ std::string explain(const pugi::xml_parse_result& result) {
   }
 }
 
-// Walks without recursion, as the depth is not known yet.
+// Iterative, since the depth is not bounded yet.
 bool checkDepth(pugi::xml_node root, const TextSource& source, Diagnostics& diagnostics) {
   int depth = 1;
   for (pugi::xml_node node = root; node;) {
-    if (depth > kDeepest) {
+    if (depth > kMaxDepth) {
       diagnostics.error(offsetOf(node, source),
-                        fmt::format("tags are nested more than {} deep", kDeepest));
+                        fmt::format("tags are nested more than {} deep", kMaxDepth));
       return false;
     }
     if (const pugi::xml_node child = node.first_child()) {
@@ -97,7 +97,7 @@ void checkAttributes(pugi::xml_node node, const std::vector<std::string_view>& k
     } else if (std::find(seen.begin(), seen.end(), name) != seen.end()) {
       diagnostics.warning(
           offsetOf(node, source),
-          fmt::format("the attribute {} is there twice: the first counts", inQuotes(name)));
+          fmt::format("the attribute {} is given twice; the first one is used", inQuotes(name)));
     }
     seen.push_back(name);
   }
@@ -115,7 +115,7 @@ pugi::xml_node parseDocument(const TextSource& source, pugi::xml_document& docum
                              Diagnostics& diagnostics) {
   if (!checkEncoding(source, diagnostics)) return {};
   const std::string& text = source.text();
-  // As a fragment, text beside the root is kept and can be reported.
+  // Parsed as a fragment, so that text outside of the root is kept and can be reported.
   const auto result = document.load_buffer(
       text.data(), text.size(), pugi::parse_default | pugi::parse_fragment, pugi::encoding_utf8);
   if (!result) {

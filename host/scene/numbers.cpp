@@ -13,14 +13,14 @@ constexpr std::string_view kSpace = " \t\r\n\f\v";
 constexpr const char* kNotANumber = "is not a number";
 constexpr const char* kNotFinite = "is not a finite number";
 
-// std::from_chars takes no leading '+'.
+// std::from_chars does not accept a leading '+'.
 std::string_view withoutPlus(std::string_view text) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-' && text[1] != '+') text.remove_prefix(1);
   return text;
 }
 
-// Tells a well-formed decimal number that is too small from one that is too large: the power of
-// ten of its first digit that is not 0, with the exponent added, is negative.
+// Whether a well-formed decimal number that is out of range is too small rather than too large: the
+// power of ten of its first nonzero digit, plus the exponent, is negative.
 bool isTiny(std::string_view text) {
   const std::size_t e = text.find_first_of("eE");
   const std::string_view mantissa = text.substr(0, e);

@@ -6,7 +6,7 @@
 
 namespace laver {
 
-/// A number read from text, or why not.
+/// A number read from text, or the reason why it is invalid.
 template <class T>
 struct Parsed {
   T value{};
@@ -14,8 +14,8 @@ struct Parsed {
   explicit operator bool() const { return problem == nullptr; }
 };
 
-/// Reads all of `text` as a decimal number, whatever the locale: sign, digits, point, exponent.
-/// What is too small for a double is 0; what is too large, NaN and infinities are problems.
+/// Reads all of `text` as a decimal number, independently of the locale: sign, digits, point,
+/// exponent. A number too small for a double is 0; one too large, NaN and infinities are errors.
 Parsed<double> parseReal(std::string_view text);
 
 /// Reads all of `text` as a decimal integer with an optional sign.
@@ -24,7 +24,7 @@ Parsed<std::int64_t> parseInteger(std::string_view text);
 /// The pieces of `text` between white space and commas.
 std::vector<std::string_view> splitList(std::string_view text);
 
-/// Without the white space at both ends.
+/// Removes white space at both ends.
 std::string_view trimmed(std::string_view text);
 
 }  // namespace laver

@@ -1,4 +1,4 @@
-// The objects that scenes may name: a rule for each name of each row of the tables.
+// The objects that scenes can name: one rule per name of each table row.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 using Build = void (*)(const Properties& given, std::string_view parent, Draft& draft);
 
-/// The row that an object's type names.
+/// The row of an object's type.
 template <class Row>
 const Row& rowOf(const Properties& given, const Rows<Row>& rows) {
   return *rowCalled(rows, given.rule().type);
@@ -21,14 +21,14 @@ void buildIntegrator(const Properties& given, std::string_view, Draft& draft) {
   takeIntegrator({&rowOf(given, integratorRows()), given.values()}, draft);
 }
 
-// Long strata leave one axis nearly to chance.
+// Warns of long strata, which leave one axis nearly random.
 void checkStrata(const Properties& given, std::uint32_t count) {
   const glm::uvec2 strata = strataOf(count);
   if (strata.y <= 2 * strata.x) return;
   const auto root = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(count)));
   given.warning(
       "sampleCount",
-      fmt::format("{} samples make strata of {} x {} a pixel: {} or {} would make squares", count,
+      fmt::format("{} samples make strata of {} x {} per pixel: {} or {} would make squares", count,
                   strata.x, strata.y, root * root, (root + 1) * (root + 1)));
 }
 

@@ -9,34 +9,35 @@
 
 namespace laver::xml {
 
-/// What an object of a scene file was given, with the defaults of its rule for the rest.
+/// The properties of an object of a scene file, with defaults for those that are not given.
 class Properties {
  public:
-  /// All defaults. `offset` is where the object's tag stands.
+  /// Starts with the defaults. `offset` is the position of the object's tag.
   Properties(const ObjectRule& rule, std::size_t offset, Diagnostics& diagnostics);
 
-  /// The place of a property in the rule's table, or its size if there is none of that name.
+  /// The index of a property in the rule's table, or the size of the table if there is none of that
+  /// name.
   std::size_t find(std::string_view name) const;
   bool wasGiven(std::size_t index) const { return slots_[index].given; }
   void set(std::size_t index, Value value, std::size_t offset);
-  /// Remembers that a property was there but could not be read.
+  /// Records that a property was given but could not be read.
   void spoil(std::size_t index, std::size_t offset);
-  /// Reports required properties that were not given.
+  /// Reports missing required properties.
   void checkRequired() const;
 
-  /// Values by name; the name and the type must be the rule's.
-  /// A number out of its row's range is reported.
+  /// Values by name; name and type must be those of the rule. real() reports a number out of range.
   double real(std::string_view name) const;
-  /// The same, and then the row's start returned. `instead` stands for the value.
+  /// As real(), but an integer out of range is replaced by the default. `instead` overrides the
+  /// value.
   std::int64_t integer(std::string_view name,
                        const std::optional<std::int64_t>& instead = {}) const;
   bool boolean(std::string_view name) const;
   glm::dvec3 triple(std::string_view name) const;
   glm::dmat4 transform(std::string_view name) const;
   const std::string& text(std::string_view name) const;
-  /// All that the file gives. A number out of its row's range is reported.
+  /// All values that the file gives; reports numbers out of range.
   Values values() const;
-  /// Whether there is a value: false for a required property that is missing or broken.
+  /// Whether there is a value: false for a required property that is missing or invalid.
   bool has(std::string_view name) const;
 
   /// Reports `message` at the property, or at the object if the property was not given.
@@ -52,7 +53,7 @@ class Properties {
   struct Slot {
     Value value;
     std::size_t offset;
-    bool given = false;   // in the file
+    bool given = false;   // given in the file
     bool usable = false;  // has a value
   };
   const Slot& slot(std::string_view name) const { return slots_.at(find(name)); }

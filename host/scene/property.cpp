@@ -31,7 +31,7 @@ std::string rangeText(const PropertyRow& row) {
   const std::string unit = *row.unit == '\0' ? "" : std::string(" ") + row.unit;
   if (range.closed) return fmt::format("{:.0f} to {:.0f}{}", range.min, range.max, unit);
   if (std::isinf(range.min)) return "";
-  // 0 is the same in all units.
+  // 0 needs no unit.
   if (std::isinf(range.max)) return fmt::format("more than {}", range.min);
   return fmt::format("more than {} and less than {}{}", range.min, range.max, unit);
 }
@@ -40,7 +40,7 @@ std::string problemOf(const PropertyRow& row, const Value& number) {
   const auto* integer = std::get_if<std::int64_t>(&number);
   const double value =
       integer != nullptr ? static_cast<double>(*integer) : std::get<double>(number);
-  if (row.range.holds(value)) return {};
+  if (row.range.contains(value)) return {};
   return fmt::format("{} must be {}, found {}", row.name, rangeText(row), textOf(number));
 }
 

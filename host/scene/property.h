@@ -15,7 +15,7 @@ enum class PropertyType { String, Boolean, Float, Integer, Vector, Point, Color,
 /// A property's value; vectors, points and colours are three numbers.
 using Value = std::variant<std::string, bool, double, std::int64_t, glm::dvec3, glm::dmat4>;
 
-/// A value as a scene would write it: of a transform, which is no attribute, "".
+/// A value as text in a scene; "" for a transform, which is not an attribute.
 std::string textOf(const Value& value);
 
 /// The numbers that a property accepts: min < x < max or, if `closed`, min <= x <= max.
@@ -24,7 +24,7 @@ struct Range {
   double max = std::numeric_limits<double>::infinity();
   bool closed = false;
 
-  bool holds(double x) const { return closed ? x >= min && x <= max : x > min && x < max; }
+  bool contains(double x) const { return closed ? x >= min && x <= max : x > min && x < max; }
 };
 constexpr Range moreThan(double min) { return {.min = min}; }
 constexpr Range between(double min, double max) { return {.min = min, .max = max}; }
@@ -37,17 +37,17 @@ inline constexpr const char* kSceneUnits = "scene units";
 struct PropertyRow {
   const char* name;
   PropertyType type;
-  Value start{};          ///< the default, or what stands where a required property is missing
+  Value start{};          ///< the default; also stands for a missing required property
   bool required = false;  ///< in scenes
-  Range range{};          ///< of a Float or an Integer; any number that is finite if not said
-  const char* unit = "";  ///< such as "pixels"
+  Range range{};          ///< of a Float or an Integer; default: any finite number
+  const char* unit = "";  ///< for example "pixels"
   const char* meaning = "";
 };
 
-/// What is wrong with a number, for messages: "fov must be more than 0 and less than 180 degrees,
-/// found 190"; empty if nothing is.
+/// The problem with a number, for messages: "fov must be more than 0 and less than 180 degrees,
+/// found 190"; empty if there is none.
 std::string problemOf(const PropertyRow& row, const Value& number);
-/// The range in words with its unit, such as "1 to 10 pixels"; empty if any number serves.
+/// The range as text with its unit, for example "1 to 10 pixels"; empty if any number is valid.
 std::string rangeText(const PropertyRow& row);
 
 /// A property that a scene sets.
@@ -57,7 +57,7 @@ struct NamedValue {
 };
 using Values = std::vector<NamedValue>;
 
-/// The property's value in `given`, or else its row's start. The row must be there.
+/// The property's value in `given`, or else its default. The row must exist.
 const Value& valueOf(const std::vector<PropertyRow>& rows, const Values& given,
                      std::string_view name);
 void setValue(Values& values, std::string_view name, Value value);

@@ -22,7 +22,7 @@ void Reader::findIntegrator(pugi::xml_node root) {
   } else if (const IntegratorRow* row = rowCalled(integratorRows(), type)) {
     integrator_ = IntegratorUse{row};
   } else {
-    integrator_ = userIntegrator(fileBeside(type));
+    integrator_ = userIntegrator(userFilePath(type));
   }
   if (integrator_) draft_.scene.integrator = *integrator_;
   if (!integrator_ && !root.child("integrator")) {
@@ -56,7 +56,7 @@ void Reader::checkAreaLights() {
   for (const MeshDraft& mesh : draft_.meshes)
     if (mesh.light)
       diagnostics_.error(mesh.lightOffset,
-                         fmt::format("integrator \"{}\" takes light from points only", row.name));
+                         fmt::format("integrator \"{}\" uses point lights only", row.name));
 }
 
 void Reader::buildDefault(const char* tag, std::string_view type, std::size_t offset) {
@@ -64,8 +64,8 @@ void Reader::buildDefault(const char* tag, std::string_view type, std::size_t of
   rule.build(Properties(rule, offset, diagnostics_), "scene", draft_);
 }
 
-// Properties go to `properties` in a first round; objects are read in a second, when the object
-// that holds them has been built.
+// A first pass reads the properties of an object, which is then built; a second pass reads the
+// objects inside it.
 void Reader::readChildren(pugi::xml_node node, Properties* properties, std::string_view parent) {
   for (const pugi::xml_node child : node.children()) {
     const std::string_view tag = child.name();
@@ -116,8 +116,8 @@ void Reader::readProperty(pugi::xml_node node, PropertyType type, Properties& pr
     return;
   }
   if (properties.wasGiven(index)) {
-    diagnostics_.warning(at(node),
-                         fmt::format("the property \"{}\" is there twice: the last counts", name));
+    diagnostics_.warning(
+        at(node), fmt::format("the property \"{}\" is given twice; the last one is used", name));
   }
   if (const auto value = readValue(node, type, rule.properties[index].type)) {
     properties.set(index, *value, at(node));
@@ -153,8 +153,8 @@ bool Reader::checkPlace(pugi::xml_node node, const TagRule& rule, std::string_vi
   const std::string_view tag = rule.tag;
   const std::string parents = rule.parents;
   if (!parents.empty() && parents.find(std::string(parent) + " ") == std::string::npos) {
-    diagnostics_.error(at(node), fmt::format("<{}> stands in <{}>, expected it in <{}>", tag,
-                                             parent, parents.substr(0, parents.find(' '))));
+    diagnostics_.error(at(node), fmt::format("<{}> is in <{}>, expected in <{}>", tag, parent,
+                                             parents.substr(0, parents.find(' '))));
     return false;
   }
   if (rule.many && (parent == "scene" || parents.empty())) return true;
@@ -179,11 +179,11 @@ void Reader::missing(pugi::xml_node node, Need need, const std::string& message)
   }
 }
 
-// A texture stands for a colour of the material around it.
+// A texture replaces a colour of the BSDF around it.
 bool Reader::checkTexture(pugi::xml_node node, const ObjectRule& parent) {
   if (parent.tag != std::string_view("bsdf")) {
     missing(node, Need::Shading,
-            fmt::format("<texture> stands in {}, expected it in <bsdf>", nameOf(parent)));
+            fmt::format("<texture> is in {}, expected in <bsdf>", nameOf(parent)));
     return false;
   }
   const std::string_view name = node.attribute("name").value();
@@ -192,17 +192,17 @@ bool Reader::checkTexture(pugi::xml_node node, const ObjectRule& parent) {
     if (property.type == PropertyType::Color) names.emplace_back(property.name);
   if (std::find(names.begin(), names.end(), name) == names.end()) {
     missing(node, Need::Shading,
-            fmt::format("<texture> stands for {} of {}, expected name={}", inQuotes(name),
+            fmt::format("<texture> replaces {} of {}, expected name={}", inQuotes(name),
                         nameOf(parent), expectedNames(name, names)));
     return false;
   }
   for (const pugi::xml_node other : node.parent().children())
     if (other != node && name == other.attribute("name").value() &&
         (findPropertyType(other.name()) || other.offset_debug() < node.offset_debug()))
-      diagnostics_.warning(
-          at(node),
-          fmt::format("the property {} is there twice: {}", inQuotes(name),
-                      findPropertyType(other.name()) ? "the texture counts" : "the last counts"));
+      diagnostics_.warning(at(node),
+                           fmt::format("the property {} is given twice; {}", inQuotes(name),
+                                       findPropertyType(other.name()) ? "the texture is used"
+                                                                      : "the last one is used"));
   return true;
 }
 
@@ -210,7 +210,7 @@ void Reader::readObject(pugi::xml_node node, const TagRule& rule, const ObjectRu
   if (!checkPlace(node, rule, parent.tag)) return;
   const char* type = requireAttribute(node, "type", source_, diagnostics_);
   if (!type) return;
-  // All samplers take the same properties, also those that laver does not have.
+  // All samplers have the same properties, including those that laver lacks.
   if (rule.tag == std::string_view("sampler") && draft_.overrides.sampler != nullptr)
     type = draft_.overrides.sampler->name;
   const ObjectRule* object = findObject(rule.tag, type);
@@ -228,13 +228,14 @@ void Reader::readObject(pugi::xml_node node, const TagRule& rule, const ObjectRu
   const auto types = knownTypes(rule.tag);
   std::string known = types.empty() ? "it has none" : "expected " + expectedNames(type, types);
   if (const std::string file = userFileName(type); (integrator || bsdf) && !file.empty())
-    known += fmt::format("; nor is there a file {} beside the scene", file);
+    known += fmt::format("; there is no file {} next to the scene either", file);
   const bool replaced = integrator && draft_.overrides.integrator;
   missing(node, replaced ? Need::Never : rule.need,
           fmt::format("laver has no {} of type {}: {}", rule.tag, inQuotes(type), known));
 }
 
-// A tag with a type is an object of somebody's dialect, unless it reads like one of laver's own.
+// A tag with a type is an object of another dialect, unless it looks like a misspelt one of
+// laver's.
 void Reader::readUnknownTag(pugi::xml_node node) {
   const std::string_view tag = node.name();
   const std::string_view hint = nearest(tag, knownTags());

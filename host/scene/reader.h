@@ -7,7 +7,7 @@
 
 namespace laver::xml {
 
-/// Walks the tags of a scene file by the tables of schema.h and fills a draft.
+/// Reads the tags of a scene file by the tables of schema.h into a draft.
 class Reader {
  public:
   Reader(const TextSource& source, Draft& draft, Diagnostics& diagnostics)
@@ -20,7 +20,7 @@ class Reader {
   void readProperty(pugi::xml_node node, PropertyType type, Properties& properties);
   std::optional<Value> readValue(pugi::xml_node node, PropertyType type, PropertyType wanted);
   void readObject(pugi::xml_node node, const TagRule& rule, const ObjectRule& parent);
-  std::string fileBeside(std::string_view type) const;
+  std::string userFilePath(std::string_view type) const;
   bool readUserIntegrator(pugi::xml_node node, const char* type);
   bool readUserBsdf(pugi::xml_node node, const char* type, const ObjectRule& parent);
   void addProperties(pugi::xml_node node, UserBsdf& user);
@@ -37,10 +37,10 @@ class Reader {
   const TextSource& source_;
   Draft& draft_;
   Diagnostics& diagnostics_;
-  std::optional<IntegratorUse> integrator_;  // the one that will run, if it is known
+  std::optional<IntegratorUse> integrator_;  // the integrator of the render, if known
 };
 
-/// Reads a scene's tags into a draft, whose meshes are still to be loaded.
+/// Reads a scene's tags into a draft, whose meshes are not loaded yet.
 Draft readDraft(const TextSource& source, const SceneOverrides& overrides,
                 Diagnostics& diagnostics);
 

@@ -6,11 +6,11 @@
 
 namespace laver {
 
-/// Rows of a table of what a scene may hold, in the order in which they are listed.
+/// The rows of a table of scene objects, in the order of listings.
 template <class Row>
 using Rows = std::vector<const Row*>;
 
-/// Whether scenes call the row's object so.
+/// Whether `name` is a name of the row.
 template <class Row>
 bool isCalled(const Row& row, std::string_view name) {
   return row.name == name ||
@@ -25,7 +25,7 @@ const Row* rowCalled(const Rows<Row>& rows, std::string_view name) {
   return nullptr;
 }
 
-/// The names of rows, such as "normals, depth or av".
+/// The names of rows, for example "normals, depth or av".
 template <class Row>
 std::string namesOf(const Rows<Row>& rows, const char* last = " or ") {
   std::string names;

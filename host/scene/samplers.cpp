@@ -42,7 +42,7 @@ std::vector<PropertyRow> properties() {
 
 namespace samplers {
 
-// Uniform, each by itself.
+// Independent uniform samples.
 const SamplerRow independent{.name = "independent",
                              .object = "Independent",
                              .properties = properties(),
@@ -51,7 +51,7 @@ const SamplerRow independent{.name = "independent",
                              .position = reference::independent::position,
                              .pair = reference::independent::pair};
 
-// Uniform, one in each stratum.
+// One uniform sample in each stratum.
 const SamplerRow stratified{.name = "stratified",
                             .object = "Stratified",
                             .properties = properties(),

@@ -20,8 +20,8 @@ namespace laver {
 struct Scene {
   std::string file;  ///< path it was read from
   IntegratorUse integrator;
-  /// What the file names, if another one is shown. Where it is shown beside that, its properties
-  /// hold.
+  /// The integrator of the file, if another one is rendered; its properties apply if it is rendered
+  /// as a layer.
   IntegratorUse fileIntegrator;
   Camera camera;
   Filter filter;
@@ -31,7 +31,7 @@ struct Scene {
   std::optional<Environment> environment;
 };
 
-/// An integrator with the properties that the scene's file gives it.
+/// An integrator with the properties that the scene's file sets.
 inline IntegratorUse useOf(const Scene& scene, const IntegratorUse& wanted) {
   if (!wanted.values.empty()) return wanted;
   if (scene.integrator == wanted) return scene.integrator;
@@ -43,35 +43,34 @@ inline bool hasSpheres(const Scene& scene) {
                      [](const Mesh& mesh) { return mesh.sphere.has_value(); });
 }
 
-/// Of all meshes.
+/// Number of primitives of all meshes.
 inline std::uint64_t primitivesOf(const Scene& scene) {
   std::uint64_t count = 0;
   for (const Mesh& mesh : scene.meshes) count += mesh.primitives();
   return count;
 }
 
-/// What the command line changes in a scene before it is checked.
+/// Changes to a scene by the command line, before it is checked.
 struct SceneOverrides {
   std::optional<IntegratorUse> integrator;
   const SamplerRow* sampler = nullptr;
   std::optional<std::uint32_t> sampleCount;
   std::optional<std::int64_t> seed;
-  std::optional<glm::ivec2> size;     ///< width, height in pixels
-  bool shading = false;               ///< materials and lights are needed, whatever the integrator
+  std::optional<glm::ivec2> size;  ///< width, height in pixels
+  bool shading = false;  ///< materials and lights are needed even if the integrator ignores them
   const Dialect* dialect = dialects().front();
-  bool noriCompat = false;            ///< textures of 8 and 16 bits are taken for linear
-  const FilterRow* filter = nullptr;  ///< with the scene's parameters where it has that filter
+  bool noriCompat = false;            ///< textures of 8 and 16 bits are read as linear
+  const FilterRow* filter = nullptr;  ///< keeps the scene's parameters if it has that filter
 };
 
-/// A scene and what its reader should be told: one `file:line:col: warning: ...` line each.
+/// A scene and the warnings about it: one `file:line:col: warning: ...` line each.
 struct LoadedScene {
   Scene scene;
   std::vector<std::string> warnings;
 };
 
-/// Reads a Nori XML scene, its meshes and, where the integrator needs them, its pictures. Throws
-/// Error(ExitCode::Scene) whose text holds one `file:line:col: error: ...` line for every error
-/// found.
+/// Reads a Nori XML scene, its meshes and, if the integrator needs them, its images. Throws
+/// Error(ExitCode::Scene) with one `file:line:col: error: ...` line for every error found.
 LoadedScene loadScene(const std::string& file, const SceneOverrides& overrides = {});
 
 /// The `Scene[ ... ]` text that Nori prints.

@@ -21,24 +21,24 @@ struct MeshDraft {
   std::string filename;
   glm::dmat4 toWorld{1.0};
   Bsdf bsdf;
-  std::size_t textureOffset = 0;  ///< of its texture's tag
-  std::optional<Sphere> sphere;   ///< then there is no file
+  std::size_t textureOffset = 0;  ///< of the texture's tag
+  std::optional<Sphere> sphere;   ///< instead of a file
   std::optional<AreaLight> light{};
-  std::size_t lightOffset = 0;  ///< of its emitter's tag
+  std::size_t lightOffset = 0;  ///< of the emitter's tag
 };
 
-/// A scene while it is read.
+/// A scene that is being read.
 struct Draft {
   const SceneOverrides& overrides;
   Scene scene;
   std::vector<MeshDraft> meshes;
-  std::vector<PointLight> meshLights;  ///< they come after the scene's own
+  std::vector<PointLight> meshLights;  ///< lights inside of meshes, which follow the scene's own
   std::size_t environmentOffset = 0;   ///< of its tag
   std::map<std::string, std::shared_ptr<UserBsdf>> userBsdfs{};  ///< by file
 };
 
-/// An object that laver has: what it takes and what it does to the scene. `parent` is the tag that
-/// the object stands in.
+/// An object that laver supports: its properties, and the function that adds it to the scene.
+/// `parent` is the tag around it.
 struct ObjectRule {
   const char* tag;
   const char* type;
@@ -47,31 +47,32 @@ struct ObjectRule {
   bool spelling = false;  ///< another name of a row
 };
 
-/// Puts an integrator that the file names into the scene, unless the command line names another.
+/// Stores the file's integrator in the scene, unless the command line selects another.
 void takeIntegrator(const IntegratorUse& use, Draft& draft);
-/// Gives the last mesh a BSDF with what the file says of it. `user` holds the row of a user's own.
+/// Sets the BSDF of the last mesh from the file's properties. `user` owns the row of a BSDF from a
+/// user's file.
 void takeBsdf(const BsdfRow& row, const std::shared_ptr<const UserBsdf>& user,
               const Properties& given, Draft& draft);
 
-/// Which integrators cannot do without an object.
+/// Which integrators need an object.
 enum class Need {
   Always,   ///< all: geometry, camera, sampling
-  Shading,  ///< those that look at materials and lights
+  Shading,  ///< those that use materials and lights
   Never
 };
 
-/// A tag that names an object, and where it may stand.
+/// A tag of an object, and its valid parents.
 struct TagRule {
   const char* tag;
   Need need;
-  const char* parents;  ///< tags with a space behind each; empty: anywhere
-  bool many;            ///< more than one may stand in a scene; elsewhere one at most
+  const char* parents;  ///< tags, each followed by a space; empty: any
+  bool many;            ///< a scene may have several; another parent at most one
 };
 
 std::span<const ObjectRule> objectRules();
 std::span<const TagRule> tagRules();
 
-/// An attribute of a transform's operation: so many numbers.
+/// An attribute of a transform's operation, which takes `numbers` numbers.
 struct OperationAttribute {
   const char* name;
   std::size_t numbers;
@@ -89,17 +90,17 @@ const OperationRule* findOperation(std::string_view tag);
 const TagRule* findTag(std::string_view tag);
 const ObjectRule* findObject(std::string_view tag, std::string_view type);
 std::span<const PropertyType> propertyTypes();
-/// The property type whose tag this is.
+/// The property type of a tag, or nullptr.
 const PropertyType* findPropertyType(std::string_view tag);
 
-/// Types that laver has of an object, in the table's order, other spellings left out.
+/// The types of an object that laver supports, in the order of the table, without other spellings.
 std::vector<std::string_view> knownTypes(std::string_view tag);
 /// Names of the operations of a transform.
 std::vector<std::string_view> knownOperations();
 /// All tags: objects, properties and transform operations.
 std::vector<std::string_view> knownTags();
 
-/// Whether something that is rendered of the scene depends on materials, lights or the background.
+/// Whether any picture of the render depends on materials, lights or the background.
 bool needsShading(const Draft& draft);
 
 }  // namespace laver::xml

@@ -40,7 +40,7 @@ nlohmann::json elementJson(const TagRule& tag) {
   return json;
 }
 
-/// The default, in words where the value has no text.
+/// The default as text, in words if the value has no text.
 std::string startText(const PropertyRow& row) {
   if (row.required) return "required";
   const std::string text = textOf(row.start);
@@ -90,7 +90,7 @@ nlohmann::json schemaJson() {
 std::string schemaText() {
   const nlohmann::json json = schemaJson();
   std::string text =
-      "What stands in a <scene>. Under each type: its properties, <TYPE name=\"NAME\" "
+      "The objects of a <scene>. Below each type are its properties, <TYPE name=\"NAME\" "
       "value=\"...\"/>, as\nNAME TYPE DEFAULT.\n\n";
   for (const auto& element : json["elements"]) text += elementText(element);
   text += "<transform name=\"NAME\">  holds operations; the first written applies first\n";

@@ -4,13 +4,13 @@
 
 namespace laver {
 
-/// Every element, type, property and default that the reader of scenes knows, from its own tables.
+/// Every element, type, property and default that the scene reader supports, from its own tables:
 /// {"elements": [{"tag", "in": [tags], "many", "neededBy", "types": [{"type", "properties":
 /// [{"name", "type", "required", "default"}]}]}], "propertyTypes": [tags],
 ///  "transform": [{"tag", "attributes": [{"name", "numbers"}]}]}
 nlohmann::json schemaJson();
 
-/// The same for people, and as tables of a document.
+/// The same as plain text and as Markdown tables.
 std::string schemaText();
 std::string schemaMarkdown();
 

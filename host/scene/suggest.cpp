@@ -7,13 +7,13 @@
 
 namespace laver::xml {
 namespace {
-constexpr std::size_t kLongest = 64;
+constexpr std::size_t kMaxLength = 64;
 }
 
 std::size_t editDistance(std::string_view a, std::string_view b) {
-  a = a.substr(0, kLongest);
-  b = b.substr(0, kLongest);
-  using Row = std::array<std::size_t, kLongest + 1>;
+  a = a.substr(0, kMaxLength);
+  b = b.substr(0, kMaxLength);
+  using Row = std::array<std::size_t, kMaxLength + 1>;
   Row previous{}, before{}, row{};
   for (std::size_t j = 0; j <= b.size(); ++j) previous[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -33,7 +33,7 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 
 std::string_view nearest(std::string_view name, const std::vector<std::string_view>& candidates) {
   std::string_view best;
-  std::size_t bestDistance = 2 * kLongest;
+  std::size_t bestDistance = 2 * kMaxLength;
   for (const std::string_view candidate : candidates) {
     const std::size_t distance = editDistance(name, candidate);
     if (distance < bestDistance) {

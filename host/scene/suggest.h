@@ -5,18 +5,17 @@
 
 namespace laver::xml {
 
-/// Letters to insert, remove or replace to turn one name into the other (Levenshtein), where two
-/// neighbours swapped count as one. Only the first 64 bytes of each are looked at.
+/// Edit distance (Levenshtein) in which swapping two neighbouring letters counts as one edit. Only
+/// the first 64 bytes of each name are compared.
 std::size_t editDistance(std::string_view a, std::string_view b);
 
-/// The candidate with the least edit distance, the first of equals; empty if there is none.
+/// The candidate with the smallest edit distance, the first of equals; empty if there is none.
 std::string_view nearest(std::string_view name, const std::vector<std::string_view>& candidates);
 
-/// Whether two names differ by no more than a slip of the hand: a third of the longer one.
+/// Whether two names are as similar as a misspelling: at most a third of the longer one differs.
 bool looksLikeTypo(std::string_view name, std::string_view known);
 
-/// "a", "b" or "c"; with more than one candidate also which is nearest to `name`, unless that is
-/// empty.
+/// "a", "b" or "c". With several candidates, also the nearest one to `name` unless that is empty.
 std::string expectedNames(std::string_view name, const std::vector<std::string_view>& candidates);
 
 }  // namespace laver::xml

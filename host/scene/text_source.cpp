@@ -28,7 +28,7 @@ std::size_t TextSource::line(std::size_t offset) const {
 std::string TextSource::where(std::size_t offset) const {
   offset = std::min(offset, text_.size());
   const std::size_t row = line(offset);
-  // Bytes 10xxxxxx continue a character.
+  // Bytes 10xxxxxx continue a UTF-8 character.
   const auto begin = text_.begin() + static_cast<std::ptrdiff_t>(lineStarts_[row - 1]);
   const auto end = text_.begin() + static_cast<std::ptrdiff_t>(offset);
   const auto before = std::count_if(
@@ -55,12 +55,12 @@ FileText readFile(const std::string& file) {
 }
 
 std::string inQuotes(std::string_view name) {
-  constexpr std::size_t kLongest = 60;
-  std::string text(name.substr(0, kLongest));
+  constexpr std::size_t kMaxLength = 60;
+  std::string text(name.substr(0, kMaxLength));
   for (char& c : text) {
     if (static_cast<unsigned char>(c) < 0x20) c = '?';
   }
-  return fmt::format("\"{}{}\"", text, name.size() > kLongest ? "..." : "");
+  return fmt::format("\"{}{}\"", text, name.size() > kMaxLength ? "..." : "");
 }
 
 }  // namespace laver::xml

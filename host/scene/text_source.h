@@ -7,8 +7,8 @@
 
 namespace laver::xml {
 
-/// A text with its file name, to turn byte offsets into places a reader can go to. A byte order
-/// mark is left out.
+/// A text with its file name, which converts byte offsets to positions in an editor. A byte order
+/// mark is removed.
 class TextSource {
  public:
   TextSource(std::string file, std::string text);
@@ -16,9 +16,9 @@ class TextSource {
   const std::string& file() const { return file_; }
   const std::string& text() const { return text_; }
 
-  /// "file:line:column" of a byte offset, both from 1; a column is a UTF-8 character.
+  /// "file:line:column" of a byte offset, both from 1; a column is one UTF-8 character.
   std::string where(std::size_t offset) const;
-  /// The line of a byte offset, from 1. Ends of line are LF, CR LF and CR.
+  /// The line of a byte offset, from 1. Lines end with LF, CR LF or CR.
   std::size_t line(std::size_t offset) const;
 
  private:
@@ -27,16 +27,16 @@ class TextSource {
   std::vector<std::size_t> lineStarts_;
 };
 
-/// The bytes of a file, or why there are none.
+/// The bytes of a file, or the reason why it cannot be read.
 struct FileText {
   std::string text;
-  std::string problem;  ///< empty: read; else "no such file", "is a folder", ...
+  std::string problem;  ///< empty, or "no such file", "is a folder", ...
 };
 
 /// Reads a whole file. Throws nothing but std::bad_alloc.
 FileText readFile(const std::string& file);
 
-/// A name as messages show it: quoted, cut at 60 bytes, control characters as '?'.
+/// A name for messages: quoted, truncated to 60 bytes, control characters as '?'.
 std::string inQuotes(std::string_view name);
 
 }  // namespace laver::xml

@@ -11,11 +11,11 @@
 namespace laver::xml {
 namespace {
 
-/// A file that textures or the background show.
+/// A file that textures or the background use.
 struct PictureFile {
   std::string path;
   bool raw;
-  std::size_t offset;  // where the first of them stands
+  std::size_t offset;  // of the first user's tag
   std::vector<std::shared_ptr<const Picture>*> users;
   std::string problem;
 };
@@ -30,7 +30,7 @@ class PictureFiles {
     const std::string path = name.empty() ? std::string() : findFile(source_.file(), name);
     if (path.empty()) {
       diagnostics_.error(offset,
-                         fmt::format("picture {} not found, expected it beside the scene or in the "
+                         fmt::format("picture {} not found, expected next to the scene or in the "
                                      "working directory",
                                      inQuotes(name)));
       return;
@@ -78,11 +78,10 @@ void loadTextures(const TextSource& source, Draft& draft, Diagnostics& diagnosti
     if (!sky->filename.empty())
       files.add(sky->filename, sky->raw, draft.environmentOffset, sky->image);
     if (!draft.scene.integrator.row->needs.emitters)
-      diagnostics.warning(
-          draft.environmentOffset,
-          fmt::format("the background is seen where rays meet nothing and lights no "
-                      "surface: integrator \"{}\" takes light from points only",
-                      draft.scene.integrator.row->name));
+      diagnostics.warning(draft.environmentOffset,
+                          fmt::format("the background is visible where rays hit nothing but lights "
+                                      "no surface: integrator \"{}\" uses point lights only",
+                                      draft.scene.integrator.row->name));
   }
   files.read();
 }

@@ -4,11 +4,11 @@
 
 namespace laver::xml {
 
-/// Reads the pictures of a draft's textures and background, each once and several at a time, if the
-/// integrator shows them. One that fails leaves an error where the first to name it stands.
+/// Reads the images of a draft's textures and background, each once and several concurrently, if
+/// the integrator uses them. A file that fails causes an error at the first object that names it.
 void loadTextures(const TextSource& source, Draft& draft, Diagnostics& diagnostics);
 
-/// Warns of meshes of the scene that show a texture and have no texture coordinates.
+/// Warns of meshes that have a texture but no texture coordinates.
 void warnOfMissingUvs(const Draft& draft, Diagnostics& diagnostics);
 
 }  // namespace laver::xml

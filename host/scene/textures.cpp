@@ -20,7 +20,7 @@ using xml::Draft;
 using xml::Properties;
 using enum PropertyType;
 
-/// `rows`, and after them those that all textures have.
+/// `rows`, followed by the properties that all textures have.
 std::vector<PropertyRow> placed(std::vector<PropertyRow> rows) {
   const Texture texture;
   const PropertyRow all[] = {
@@ -77,11 +77,11 @@ Form bitmapForm(const char* type) {
           .properties = placed({{.name = "filename",
                                  .type = String,
                                  .required = true,
-                                 .meaning = "EXR, PNG or JPEG, beside the scene"},
+                                 .meaning = "EXR, PNG or JPEG file"},
                                 {.name = "color",
                                  .type = Color,
                                  .start = glm::dvec3(1.0),
-                                 .meaning = "factor of the picture"},
+                                 .meaning = "factor of the image"},
                                 {.name = "raw",
                                  .type = Boolean,
                                  .start = Texture{}.raw,

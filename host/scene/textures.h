@@ -13,15 +13,15 @@ namespace laver {
 
 struct Texture;
 
-/// A kind of texture. Its kernel's part is shaders/texture/NAME.glsl.
+/// A type of texture. Its GLSL is shaders/texture/NAME.glsl.
 struct TextureRow {
   const char* name;
   const char* object = "";  ///< in the dump
   std::vector<Form> forms{};
-  bool picture = false;  ///< it shows a file
+  bool picture = false;  ///< it reads an image file
   /// The colour at (s, t) in double precision: host/reference/texture/NAME.cpp.
   glm::dvec3 (*color)(const Texture& texture, glm::dvec2 st) = nullptr;
-  /// What the dump says between the object's brackets before scale and offset.
+  /// The part of the dump between the object's brackets, before scale and offset.
   std::string (*describe)(const Texture& texture) = nullptr;
 };
 
@@ -34,16 +34,16 @@ const Rows<TextureRow>& textureRows();
 /// A colour that varies over a surface with (s, t) = scale * (u, v) + offset.
 struct Texture {
   const TextureRow* row = &textures::checker;
-  /// Checker: where floor(s) and floor(t) are both odd or both even, and elsewhere. Bitmap: the
-  /// first is a factor.
+  /// Checker: colours where floor(s) and floor(t) are both odd or both even, and elsewhere. Bitmap:
+  /// the first is a factor.
   std::array<glm::dvec3, 2> colors{glm::dvec3(0.9), glm::dvec3(0.1)};
   glm::dvec2 scale{1.0};
   glm::dvec2 offset{0.0};
-  /// Bitmap, repeated; t points up, from the lower edge. Interpolated linearly between the centres
-  /// of its pixels, once these are linear light.
-  std::string filename{};  ///< as the scene gives it
+  /// Bitmap: repeated; t points up from the lower edge. Interpolated linearly between pixel
+  /// centres, in linear light.
+  std::string filename{};  ///< as in the scene
   bool raw = false;        ///< 8-bit and 16-bit values are linear, not encoded as sRGB
-  std::shared_ptr<const Picture> image{};  ///< none where the integrator needs no material: white
+  std::shared_ptr<const Picture> image{};  ///< null (white) if the integrator needs no materials
 };
 
 }  // namespace laver

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
-// Divides rows, then columns, by their largest entries. False if one is all zero.
+// Divides rows, then columns, by their largest entries. False if one of them is all zero.
 template <int N>
 bool equilibrate(double (&m)[N][N]) {
   for (auto& row : m) {
@@ -30,9 +30,10 @@ bool equilibrate(double (&m)[N][N]) {
   return true;
 }
 
-// Gaussian elimination with complete pivoting. An entry of at most 1 gathers a rounding of about
-// 2 eps in each of the N - 1 steps, and the entries of a product of a few transforms come with
-// some eps of their own: a last pivot of 16 N eps or less (1.1e-14 to 1.4e-14) says nothing.
+// Gaussian elimination with complete pivoting. An entry of at most 1 accumulates a rounding of
+// about 2 eps in each of the N - 1 steps, and the entries of a product of a few transforms already
+// have an error of some eps: a last pivot of 16 N eps or less (1.1e-14 to 1.4e-14) is
+// indistinguishable from 0.
 template <int N>
 bool singular(double (&m)[N][N]) {
   if (!equilibrate(m)) return true;
@@ -60,7 +61,7 @@ glm::dvec3 normalizedOrZero(const glm::dvec3& v) {
   const double size = maxNorm(v);
   const bool finite = std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
   if (!finite || size == 0.0) return glm::dvec3(0.0);
-  // A power of two: unit vectors and simple ratios come out as exactly as without it.
+  // A power of two, so that unit vectors and simple ratios are as exact as without scaling.
   int exponent = 0;
   std::frexp(size, &exponent);
   const glm::dvec3 s(std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent),
@@ -74,9 +75,9 @@ std::optional<glm::dmat4> lookAt(const glm::dvec3& origin, const glm::dvec3& tar
   const glm::dvec3 dir = normalizedOrZero(view);
   const glm::dvec3 unitUp = normalizedOrZero(up);
   const glm::dvec3 left = glm::cross(unitUp, dir);
-  // Each coordinate of origin and target is off by eps/2 of its size, their difference too, so dir
-  // is off by about eps (|origin| + |target|) / |view|; a cross product below four times that,
-  // plus its own rounding, has no direction.
+  // Each coordinate of origin and target is off by eps/2 of its size, and so is their difference,
+  // so dir is off by about eps (|origin| + |target|) / |view|. A cross product below four times
+  // that, plus its own rounding, has no meaningful direction.
   const double size = maxNorm(origin) + maxNorm(target);
   const double noise = 4.0 * kEpsilon * (1.0 + size / maxNorm(view));
   if (!(glm::length(left) > noise)) return std::nullopt;
@@ -122,7 +123,7 @@ glm::dmat3 normalMatrix(const glm::dmat4& matrix) {
   for (int c = 0; c < 3; ++c) {
     for (int r = 0; r < 3; ++r) column[c][r] = std::ldexp(matrix[c][r], -exponent);
   }
-  // The cofactors are the inverse transpose times the determinant, whose sign is all that matters.
+  // The cofactors are the inverse transpose times the determinant, of which only the sign matters.
   const glm::dmat3 cofactors(glm::cross(column[1], column[2]), glm::cross(column[2], column[0]),
                              glm::cross(column[0], column[1]));
   return glm::dot(column[0], cofactors[0]) < 0.0 ? -cofactors : cofactors;

@@ -45,7 +45,7 @@ class Operation {
     return problem.empty();
   }
 
-  // The attributes' numbers stand one after the other.
+  // `v` holds the attributes' numbers in order.
   std::optional<glm::dmat4> matrixOf(std::string_view tag, const std::array<double, 16>& v) {
     const auto triple = [&](std::size_t i) { return glm::dvec3(v[i], v[i + 1], v[i + 2]); };
     const glm::dmat4 one(1.0);
@@ -98,12 +98,12 @@ std::optional<glm::dmat4> readTransform(pugi::xml_node node, const TextSource& s
     diagnostics.error(offsetOf(child, source),
                       child.type() != pugi::node_element
                           ? std::string("text outside of tags in <transform>")
-                          : fmt::format("<{}> is no operation of a transform: expected {}", name,
-                                        expectedNames(name, knownOperations())));
+                          : fmt::format("<{}> is not an operation of a transform: expected {}",
+                                        name, expectedNames(name, knownOperations())));
   }
   if (usable && isSingular(result)) {
     diagnostics.error(offsetOf(node, source),
-                      fmt::format("the transform {} is singular, expected one that can be undone",
+                      fmt::format("the transform {} is singular, expected an invertible one",
                                   inQuotes(node.attribute("name").value())));
     usable = false;
   }

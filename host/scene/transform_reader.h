@@ -6,12 +6,12 @@
 
 namespace laver::xml {
 
-/// Reads a <transform>: its operations multiply from the left, so the first written applies first.
-/// Nothing if an operation or the whole cannot be used; the errors are then in `diagnostics`.
+/// Reads a <transform>. Its operations multiply from the left, so the first one applies first.
+/// Nothing if an operation or the product is invalid; the errors are then in `diagnostics`.
 std::optional<glm::dmat4> readTransform(pugi::xml_node node, const TextSource& source,
                                         Diagnostics& diagnostics);
 
-/// Reports a tag or a text inside a tag that takes neither.
+/// Reports a tag or a text inside a tag that must be empty.
 void checkNoContent(pugi::xml_node node, const TextSource& source, Diagnostics& diagnostics);
 
 }  // namespace laver::xml

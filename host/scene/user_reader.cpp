@@ -1,4 +1,4 @@
-// Integrators and BSDFs of the user's own: code in TYPE.glsl beside the scene.
+// Integrators and BSDFs from users' files: GLSL in TYPE.glsl next to the scene.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,17 +8,17 @@
 #include "scene/user_text.h"
 
 namespace laver::xml {
-/// The path of TYPE.glsl beside the scene, whether it is there or not; empty where the type is no
-/// file's name.
-std::string Reader::fileBeside(std::string_view type) const {
+/// The path of TYPE.glsl next to the scene, which need not exist; empty if the type cannot be a
+/// file name.
+std::string Reader::userFilePath(std::string_view type) const {
   const std::string name = userFileName(type);
   if (name.empty()) return {};
   return (std::filesystem::path(source_.file()).parent_path() / name).string();
 }
 
-// A file TYPE.glsl beside the scene is an integrator, whatever properties it takes.
+// If there is a file TYPE.glsl next to the scene, it is an integrator with any properties.
 bool Reader::readUserIntegrator(pugi::xml_node node, const char* type) {
-  std::optional<IntegratorUse> use = userIntegrator(fileBeside(type));
+  std::optional<IntegratorUse> use = userIntegrator(userFilePath(type));
   if (!use) return false;
   for (const pugi::xml_node child : node.children()) {
     if (!isElement(child)) continue;
@@ -39,9 +39,10 @@ bool Reader::readUserIntegrator(pugi::xml_node node, const char* type) {
   return true;
 }
 
-// A file TYPE.glsl beside the scene is a BSDF, of one colour and up to four floats.
+// If there is a file TYPE.glsl next to the scene, it is a BSDF with one colour and up to four
+// floats.
 bool Reader::readUserBsdf(pugi::xml_node node, const char* type, const ObjectRule& parent) {
-  const std::string file = fileBeside(type);
+  const std::string file = userFilePath(type);
   std::shared_ptr<UserBsdf>& user = draft_.userBsdfs[file];
   if (!user) user = userBsdf(file);
   if (!user) return false;
@@ -56,7 +57,7 @@ bool Reader::readUserBsdf(pugi::xml_node node, const char* type, const ObjectRul
   return true;
 }
 
-/// Gives a user's own BSDF the properties that a mesh sets.
+/// Adds the properties that a mesh sets to those of a user's BSDF.
 void Reader::addProperties(pugi::xml_node node, UserBsdf& user) {
   std::vector<PropertyRow>& rows = user.row.properties;
   const auto isColor = [](const PropertyRow& row) { return row.type == PropertyType::Color; };

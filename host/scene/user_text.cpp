@@ -23,9 +23,9 @@ std::optional<std::string> userText(const std::string& file) {
 }
 
 std::string userFileName(std::string_view type) {
-  constexpr std::size_t kLongestFileName = 255;  // of the file systems that are in use
+  constexpr std::size_t kMaxFileName = 255;  // of common file systems
   const std::string file = std::string(type) + ".glsl";
-  return isGlslName(type) && file.size() <= kLongestFileName ? file : std::string();
+  return isGlslName(type) && file.size() <= kMaxFileName ? file : std::string();
 }
 
 bool isGlslName(std::string_view name) {

@@ -5,14 +5,13 @@
 
 namespace laver {
 
-/// The GLSL text of a user's own file; nothing where it cannot be read.
+/// The GLSL text of a user's file; nothing if it cannot be read.
 std::optional<std::string> userText(const std::string& file);
 
-/// The name of the file that a type may stand for, TYPE.glsl beside the scene; empty where the type
-/// is no name that GLSL has.
+/// The file name of a user's type, TYPE.glsl; empty if the type is not a valid name in GLSL.
 std::string userFileName(std::string_view type);
 
-/// Whether a part of a name in GLSL can be so: letters, digits and _.
+/// Whether a name can be part of a GLSL identifier: letters, digits and _.
 bool isGlslName(std::string_view name);
 
 }  // namespace laver

@@ -25,7 +25,7 @@ TEST_F(SceneErrorList, AllOfAFileInItsOrder) {
       "\"direct_whitted\", \"depth\", \"av\", \"ao\", \"geometric_normals\", \"whitted\", "
       "\"direct\", \"direct_ems\", \"direct_mats\", \"direct_mis\", \"path_ems\", \"path_mats\" or "
       "\"path_mis\" (nearest: "
-      "\"normals\"); nor is there a file nomals.glsl beside the scene");
+      "\"normals\"); there is no file nomals.glsl next to the scene either");
 }
 
 TEST_F(SceneErrorList, FileThatIsNotThereOrAFolder) {

@@ -82,11 +82,11 @@ const std::vector<Case> kStructure = {
     {"operation_outside_of_a_transform", scene(mesh("\n<scale value=\"1 1 1\"/>")),
      "f.xml:3:2: error: <scale> outside of a <transform>"},
     {"bsdf_in_the_scene", scene("<bsdf type=\"diffuse\"/>"),
-     "f.xml:2:2: error: <bsdf> stands in <scene>, expected it in <mesh>"},
+     "f.xml:2:2: error: <bsdf> is in <scene>, expected in <mesh>"},
     {"rfilter_in_the_scene", scene("<rfilter type=\"box\"/>"),
-     "f.xml:2:2: error: <rfilter> stands in <scene>, expected it in <camera>"},
+     "f.xml:2:2: error: <rfilter> is in <scene>, expected in <camera>"},
     {"mesh_in_a_mesh", scene(mesh("\n" + mesh())),
-     "f.xml:3:2: error: <mesh> stands in <mesh>, expected it in <scene>"},
+     "f.xml:3:2: error: <mesh> is in <mesh>, expected in <scene>"},
     {"object_without_type", scene("<camera/>"),
      "f.xml:2:2: error: <camera> needs the attribute \"type\""},
     {"property_without_name", camera("<float value=\"3\"/>"),
@@ -169,7 +169,7 @@ const std::vector<Case> kValues = {
      "f.xml:2:19: error: filename is empty, expected an OBJ file"},
     {"missing_file",
      scene("<mesh type=\"obj\">" + number("string", "filename", "n.obj") + "</mesh>"),
-     "f.xml:2:2: error: mesh file \"n.obj\" not found, expected it beside the scene or in the "
+     "f.xml:2:2: error: mesh file \"n.obj\" not found, expected next to the scene or in the "
      "working directory"},
     {"folder_for_a_file",
      scene("<mesh type=\"obj\">" + number("string", "filename", ".") + "</mesh>"),
@@ -182,7 +182,7 @@ const std::vector<Case> kValues = {
 const std::vector<Case> kTransforms = {
     {"text", transform("a"), "f.xml:2:54: error: text outside of tags in <transform>"},
     {"misspelt", transform("<lookAt/>"),
-     "f.xml:2:55: error: <lookAt> is no operation of a transform: expected \"translate\", "
+     "f.xml:2:55: error: <lookAt> is not an operation of a transform: expected \"translate\", "
      "\"scale\", \"rotate\", \"matrix\" or \"lookat\" (nearest: \"lookat\")"},
     {"no_value", transform("<translate/>"),
      "f.xml:2:55: error: <translate> needs the attribute \"value\""},
@@ -203,9 +203,9 @@ const std::vector<Case> kTransforms = {
      "f.xml:2:55: error: <lookat> has no direction: expected a target off the origin and an up off "
      "the view"},
     {"singular", transform("<scale value=\"1 0 1\"/>"),
-     "f.xml:2:29: error: the transform \"toWorld\" is singular, expected one that can be undone"},
+     "f.xml:2:29: error: the transform \"toWorld\" is singular, expected an invertible one"},
     {"overflow", transform("<scale value=\"1e200 1 1\"/><scale value=\"1e200 1 1\"/>"),
-     "f.xml:2:29: error: the transform \"toWorld\" is singular, expected one that can be undone"},
+     "f.xml:2:29: error: the transform \"toWorld\" is singular, expected an invertible one"},
     {"content", transform("<scale value=\"1 1 1\"><scale value=\"1 1 1\"/></scale>"),
      "f.xml:2:76: error: <scale> inside <scale>, expected nothing there"},
 };
@@ -216,7 +216,7 @@ const std::vector<Case> kLacking = {
      "\"direct_whitted\", \"depth\", \"av\", \"ao\", \"geometric_normals\", \"whitted\", "
      "\"direct\", \"direct_ems\", \"direct_mats\", \"direct_mis\", \"path_ems\", \"path_mats\" or "
      "\"path_mis\" (nearest: "
-     "\"depth\"); nor is there a file vol_path.glsl beside the scene"},
+     "\"depth\"); there is no file vol_path.glsl next to the scene either"},
     {"camera", scene("<camera type=\"thinlens\"/>"),
      "f.xml:2:2: error: laver has no camera of type \"thinlens\": expected \"perspective\""},
     {"sampler", scene("<sampler type=\"halton\"/>"),
@@ -229,7 +229,7 @@ const std::vector<Case> kLacking = {
      "f.xml:2:2: error: laver has no mesh of type \"cylinder\": expected \"obj\" or \"sphere\" "
      "(nearest: \"sphere\")"},
     {"area_light", scene(mesh("\n<emitter type=\"area\"/>"), "direct_whitted"),
-     "f.xml:3:2: error: integrator \"direct_whitted\" takes light from points only"},
+     "f.xml:3:2: error: integrator \"direct_whitted\" uses point lights only"},
     {"area_light_of_no_mesh", scene("<emitter type=\"area\"/>", "path_mis"),
      "f.xml:2:2: error: emitter \"area\" stands in <scene>, expected it in <mesh>"},
     {"sky", scene("<emitter type=\"sky\"/>", "direct_whitted"),
@@ -258,7 +258,7 @@ TEST(SceneErrors, AnUnknownBsdfNamesThoseOfTheTable) {
   EXPECT_EQ(files.errors(scene(mesh("\n<bsdf type=\"disney\"/>"), "direct_whitted")),
             "f.xml:3:2: error: laver has no bsdf of type \"disney\": expected " +
                 xml::expectedNames("disney", xml::knownTypes("bsdf")) +
-                "; nor is there a file disney.glsl beside the scene");
+                "; there is no file disney.glsl next to the scene either");
 }
 
 }  // namespace

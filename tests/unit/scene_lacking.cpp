@@ -28,7 +28,7 @@ TEST_F(SceneLacking, UnsupportedObjectsThatTheIntegratorIgnoresAreWarnings) {
           "(nearest: \"area\")" +
           tail + "\nf.xml:5:58: warning: laver has no bsdf of type \"disney\": expected " +
           xml::expectedNames("disney", xml::knownTypes("bsdf")) +
-          "; nor is there a file disney.glsl beside the scene" + tail +
+          "; there is no file disney.glsl next to the scene either" + tail +
           "\nf.xml:6:2: warning: unknown tag <subsurface>: the nearest is <bsdf>" + tail +
           "\nf.xml:7:2: warning: laver has no texture of type \"perlin\": expected \"checker\", "
           "\"textmap\", \"image_texture\" or \"bitmap\" (nearest: \"checker\")" +

@@ -128,17 +128,17 @@ TEST(SceneOverride, IntegratorMakesAnotherAWarningAndLightsUnneeded) {
             "\"normals\", \"direct_whitted\", \"depth\", \"av\", \"ao\", \"geometric_normals\", "
             "\"whitted\", \"direct\", \"direct_ems\", \"direct_mats\", \"direct_mis\", "
             "\"path_ems\", \"path_mats\" or \"path_mis\" "
-            "(nearest: \"depth\"); nor is there a file vol_path.glsl beside the scene; "
+            "(nearest: \"depth\"); there is no file vol_path.glsl next to the scene either; "
             "ignored, "
             "integrator \"normals\" does not need it\n"
             "f.xml:3:2: warning: laver has no bsdf of type \"disney\": expected " +
                 xml::expectedNames("disney", xml::knownTypes("bsdf")) +
-                "; nor is there a file disney.glsl beside the scene; ignored, integrator "
+                "; there is no file disney.glsl next to the scene either; ignored, integrator "
                 "\"normals\" does not need it");
   EXPECT_EQ(files.errors(xml, with(integrators::directWhitted)),
             "f.xml:3:2: error: laver has no bsdf of type \"disney\": expected " +
                 xml::expectedNames("disney", xml::knownTypes("bsdf")) +
-                "; nor is there a file disney.glsl beside the scene");
+                "; there is no file disney.glsl next to the scene either");
   EXPECT_TRUE(files.load(scene("", "depth"), with(integrators::normals))
                   .scene.integrator.is(integrators::normals));
 }
@@ -193,7 +193,7 @@ TEST(SceneSampler, StrataFarFromSquareAreAWarning) {
   EXPECT_EQ(files.load(of("16")).scene.sampler.row, &samplers::stratified);
   for (const char* count : {"1", "2", "8", "12", "16"}) EXPECT_EQ(files.warnings(of(count)), "");
   EXPECT_EQ(files.warnings(of("10")),
-            "f.xml:2:29: warning: 10 samples make strata of 2 x 5 a pixel: 9 or 16 would make "
+            "f.xml:2:29: warning: 10 samples make strata of 2 x 5 per pixel: 9 or 16 would make "
             "squares");
   EXPECT_EQ(files.errors(of("4294967296")),
             "f.xml:2:29: error: sampleCount must be 1 to 4294967295, found 4294967296");

@@ -108,10 +108,9 @@ TEST_F(SceneTextures, NoriCompatReadsBytesAsLinear) {
 TEST_F(SceneTextures, MissingAndBrokenFiles) {
   files_.write("b.png", "\x89PNG\r\n\x1a\nrubbish");
   files_.write("c.png", "text");
-  EXPECT_EQ(
-      files_.errors(whitted(picture("no.png"))),
-      "f.xml:3:2: error: picture \"no.png\" not found, expected it beside the scene or in the "
-      "working directory");
+  EXPECT_EQ(files_.errors(whitted(picture("no.png"))),
+            "f.xml:3:2: error: picture \"no.png\" not found, expected next to the scene or in the "
+            "working directory");
   EXPECT_EQ(files_.errors(whitted(picture("b.png"))),
             "f.xml:3:2: error: cannot read \"b.png\": it ends too early");
   EXPECT_EQ(files_.errors(whitted(picture("a.png"),
@@ -124,13 +123,13 @@ TEST_F(SceneTextures, MissingAndBrokenFiles) {
 
 TEST_F(SceneTextures, WrongPlacesAndNames) {
   EXPECT_EQ(files_.errors(whitted("<texture type=\"checker\" name=\"reflectance\"/>")),
-            "f.xml:3:2: error: <texture> stands for \"reflectance\" of bsdf \"diffuse\", expected "
+            "f.xml:3:2: error: <texture> replaces \"reflectance\" of bsdf \"diffuse\", expected "
             "name=\"albedo\"");
   EXPECT_EQ(
       files_.errors(scene(mesh("\n<texture type=\"checker\" name=\"albedo\"/>"), "direct_whitted")),
-      "f.xml:3:2: error: <texture> stands in mesh \"obj\", expected it in <bsdf>");
+      "f.xml:3:2: error: <texture> is in mesh \"obj\", expected in <bsdf>");
   EXPECT_EQ(files_.errors(scene(mesh("\n<emitter type=\"constant\"/>"), "direct_whitted")),
-            "f.xml:3:2: error: emitter \"constant\" stands in <mesh>, expected it in <scene>");
+            "f.xml:3:2: error: emitter \"constant\" is in <mesh>, expected in <scene>");
   EXPECT_EQ(files_.errors(scene("<emitter type=\"constant\"/>\n<emitter type=\"environment\"/>",
                                 "direct_whitted")),
             "f.xml:3:2: error: emitter \"environment\" is a second background, expected one");
@@ -143,16 +142,16 @@ TEST_F(SceneTextures, OddValuesAreWarnings) {
   EXPECT_EQ(files_.warnings(whitted("<color name=\"albedo\" value=\"1 1 1\"/>\n"
                                     "<texture type=\"checker\" name=\"albedo\"/>\n"
                                     "<texture type=\"checker\" name=\"albedo\"/>")),
-            "f.xml:4:2: warning: the property \"albedo\" is there twice: the texture counts\n"
-            "f.xml:5:2: warning: the property \"albedo\" is there twice: the texture counts\n"
-            "f.xml:5:2: warning: the property \"albedo\" is there twice: the last counts");
+            "f.xml:4:2: warning: the property \"albedo\" is given twice; the texture is used\n"
+            "f.xml:5:2: warning: the property \"albedo\" is given twice; the texture is used\n"
+            "f.xml:5:2: warning: the property \"albedo\" is given twice; the last one is used");
   files_.write("t.obj", kTriangle);
   EXPECT_EQ(files_.warnings(whitted("<texture type=\"checker\" name=\"albedo\"/>")),
             "f.xml:3:2: warning: \"t.obj\" has no texture coordinates: each of its triangles shows "
             "the texture from (0, 0) over (1, 0) to (0, 1)");
   EXPECT_EQ(files_.warnings(scene("<emitter type=\"constant\"/>", "direct_whitted")),
-            "f.xml:2:2: warning: the background is seen where rays meet nothing and lights no "
-            "surface: integrator \"direct_whitted\" takes light from points only");
+            "f.xml:2:2: warning: the background is visible where rays hit nothing but lights no "
+            "surface: integrator \"direct_whitted\" uses point lights only");
 }
 
 TEST_F(SceneTextures, NormalsAndDepthNeedNoPicture) {

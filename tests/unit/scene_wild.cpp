@@ -207,7 +207,7 @@ TEST_F(SceneWild, UnknownAndDuplicatePropertiesAreWarnings) {
   EXPECT_EQ(files_.warnings(xml),
             "f.xml:3:2: warning: camera \"perspective\" has no property \"fow\": ignored; the "
             "nearest is \"fov\"\n"
-            "f.xml:5:2: warning: the property \"fov\" is there twice: the last counts");
+            "f.xml:5:2: warning: the property \"fov\" is given twice; the last one is used");
   EXPECT_EQ(files_.load(xml).scene.camera.fov, 40.0);
 }
 
