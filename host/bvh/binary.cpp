@@ -5,14 +5,14 @@
 #include <mutex>
 #include <vector>
 
-#include "bvh/few.h"
+#include "bvh/small.h"
 #include "bvh/split.h"
 #include "core/parallel.h"
 
 namespace laver {
 namespace {
 
-/// Pieces of a range that several threads split.
+/// Items per piece when several threads split one range.
 constexpr std::uint32_t kPiece = 1U << 13;
 
 struct Range : Subtree {
@@ -51,7 +51,7 @@ class Builder {
     return (r.buffer == 0 ? other_ : tree_.items).data() + r.first;
   }
 
-  /// Ranges beyond a thread's share, one after the other, each by all threads.
+  /// Splits ranges larger than a thread's share, one after the other, each with all threads.
   void splitLarge() {
     const std::uint32_t total = tree_.root().count;
     const std::uint32_t large = std::max(total / threadCount(threads_), 2 * kPiece);
@@ -67,7 +67,7 @@ class Builder {
     }
   }
 
-  /// Takes open ranges until none is left and no thread may open another.
+  /// Builds open ranges until none is left and no thread can add another.
   void work() {
     for (;;) {
       std::unique_lock lock(mutex_);
@@ -92,7 +92,8 @@ class Builder {
     if (--busy_ == 0) changed_.notify_all();
   }
 
-  /// Splits a range to the size of a task, opening what is right of it, and builds that.
+  /// Splits a range down to the size of a task, adds the right parts to the open ranges, and builds
+  /// the rest.
   void buildTask(Range range) {
     while (range.count > kTaskItems) {
       const auto [left, right] = split(range);
@@ -107,8 +108,8 @@ class Builder {
   }
 
   Forest subtree(const Range& range) {
-    if (range.count <= kFew && range.depth < kSahDepth)
-      return buildFew(itemsOf(range), range, tree_);
+    if (range.count <= kSmallItems && range.depth < kSahDepth)
+      return buildSmall(itemsOf(range), range, tree_);
     if (range.count == 1) {
       tree_.items[range.first] = *itemsOf(range);
       return oneItem(tree_.items[range.first].box.halfArea());
@@ -119,7 +120,7 @@ class Builder {
     return joined(l, left.count, r, right.count, node.box().halfArea(), node.choices);
   }
 
-  /// The collapse above the tasks.
+  /// Computes the collapse costs above the tasks.
   Forest top(const Subtree& s, std::vector<Done>::const_iterator& next) {
     if (s.count <= kTaskItems) return (next++)->forest;
     const Subtree left = tree_.left(s), right = tree_.right(s);
@@ -170,7 +171,7 @@ class Builder {
     for (const Bins& b : binsOf) bins.add(b);
     const Split best = bins.cheapest(binning);
     if (best.axis < 0) return halve(range, bounds);
-    // Where each piece's left and right items go, so that their order stays.
+    // Target offsets of each piece's left and right items, so that their order is kept.
     std::vector<std::uint32_t> leftBefore(pieces + 1, 0);
     for (std::size_t i = 0; i < pieces; ++i)
       leftBefore[i + 1] = leftBefore[i] + binsOf[i].upTo(best);
@@ -186,7 +187,7 @@ class Builder {
   static void place(const BuildItem* items, std::uint32_t count, const Binning& binning,
                     const Split& split, BuildItem* out, std::uint32_t left, std::uint32_t right) {
     for (std::uint32_t i = 0; i < count; ++i) {
-      // No branch: which side it is cannot be foretold.
+      // Branchless, since the side is unpredictable.
       const std::uint32_t beyond = binning.beyond(items[i], split.axis, split.bin) ? 1 : 0;
       out[left ^ ((left ^ right) & (0U - beyond))] = items[i];
       right += beyond;

@@ -8,7 +8,7 @@
 
 namespace laver {
 
-/// Node of a binary tree for two or more items.
+/// A node of a binary tree, for two or more items.
 struct alignas(16) BinaryNode {
   glm::vec3 lo;
   std::uint32_t leftCount;  ///< items of the left child
@@ -17,11 +17,11 @@ struct alignas(16) BinaryNode {
   Box4 box() const { return std::bit_cast<Box4>(*this); }
 };
 
-/// Items [first, first + count) of a tree; for two or more, `node` is theirs.
+/// Items [first, first + count) of a tree; with two or more, `node` is their node.
 struct Subtree {
   std::uint32_t node, first, count;
 
-  // A subtree of n items takes n - 1 nodes, the left child's first.
+  // A subtree of n items has n - 1 nodes, the left child's first.
   Subtree left(std::uint32_t leftCount) const { return {node + 1, first, leftCount}; }
   Subtree right(std::uint32_t leftCount) const {
     return {node + leftCount, first + leftCount, count - leftCount};
@@ -42,12 +42,12 @@ struct BinaryTree {
 
 /// Subtrees of at most this many items are built by one thread.
 inline constexpr std::uint32_t kTaskItems = 4096;
-/// Depth from which on items are halved by count.
+/// From this depth on, items are halved by count.
 inline constexpr unsigned kSahDepth = 48;
 
 /// Builds by binned SAH down to single items. Below a depth that no ordinary mesh reaches, items
-/// are halved by count, which bounds the depth by kSahDepth + log2(n). The tree is the same for any
-/// number of threads (0: all).
+/// are halved by count, which bounds the depth by kSahDepth + log2(n). The tree does not depend on
+/// the number of threads (0: all).
 BinaryTree buildBinary(UninitialisedVector<BuildItem> items, unsigned threads);
 
 }  // namespace laver

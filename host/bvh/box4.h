@@ -5,8 +5,8 @@
 
 namespace laver {
 
-// Vectors of four as gcc and clang have them on every processor. Boxes use three lanes; the fourth
-// carries whatever the memory holds there.
+// Vectors of four floats, which gcc and clang support on every processor. Boxes use three lanes;
+// the fourth holds arbitrary values.
 using Float4 = float __attribute__((vector_size(16)));
 using Int4 = std::int32_t __attribute__((vector_size(16)));
 
@@ -14,7 +14,7 @@ inline Float4 min(Float4 a, Float4 b) { return a < b ? a : b; }
 inline Float4 max(Float4 a, Float4 b) { return a > b ? a : b; }
 inline Float4 splat(float x) { return Float4{x, x, x, x}; }
 
-/// Box in two registers; empty when lo > hi. Uninitialised by default.
+/// A box in two registers; empty if lo > hi. Uninitialised by default.
 struct Box4 {
   Float4 lo, hi;
 
@@ -34,7 +34,7 @@ struct Box4 {
   }
 };
 
-/// Grows to any box.
+/// An empty box, for growing.
 inline constexpr Box4 kEmptyBox{Float4{} + std::numeric_limits<float>::max(),
                                 Float4{} + std::numeric_limits<float>::lowest()};
 

@@ -33,7 +33,7 @@ Bvh buildBvh(std::span<const shared::Triangle> triangles, unsigned threads) {
     empty.nodes.push_back(root);
     return empty;
   }
-  // All ones in the index would be REF_NONE's.
+  // An index of all ones would equal REF_NONE.
   if (triangles.size() > shared::REF_INDEX_MASK)
     throw Error(ExitCode::Device, fmt::format("{} triangles; a tree holds at most {}",
                                               triangles.size(), shared::REF_INDEX_MASK));

@@ -11,17 +11,17 @@ namespace {
 
 using shared::NODE_WIDTH;
 
-/// The next float downwards; finite numbers only.
+/// The next smaller float; finite numbers only.
 Float4 nextDown(Float4 x) {
   constexpr std::int32_t kSign = std::numeric_limits<std::int32_t>::min();
   const Int4 bits = std::bit_cast<Int4>(x);
   return std::bit_cast<Float4>(x > 0.0F ? bits - 1 : (bits | kSign) + 1);
 }
 
-/// Grows a box by 1 ulp and 1e-18 on each side, so that a reciprocal's rounding loses no ray.
+/// Grows a box by 1 ulp and 1e-18 on each side, so that the rounding of a reciprocal loses no ray.
 Box4 padded(const Box4& box) { return {nextDown(box.lo - 1e-18F), -nextDown(-(box.hi + 1e-18F))}; }
 
-/// What lies below a wide node: depth, the stack's worst case, counts and SAH cost times area.
+/// Totals of a subtree: depth, maximum stack, counts, and SAH cost times area.
 struct Totals {
   std::uint32_t nodes = 0, leaves = 0, depth = 0, stack = 1;
   double cost = 0;
@@ -34,7 +34,7 @@ struct Totals {
   }
 };
 
-/// A wide node with the nodes above it, and the stack's entries when it is popped.
+/// A wide node with its depth and the number of stack entries when it is popped.
 struct Place {
   Subtree tree;
   std::uint32_t depth = 1, stack = 1;
@@ -67,7 +67,7 @@ class Flattener {
   }
 
  private:
-  /// A wide node built by one thread with all that is below, its nodes from `first` on.
+  /// A subtree that one thread writes, its nodes from `first` on.
   struct Task {
     Place place;
     std::uint32_t first = 0;
@@ -79,7 +79,7 @@ class Flattener {
     parallelFor(tasks_.size(), 1, threads_, [this](std::size_t i, std::size_t) {
       tasks_[i].totals.nodes = countNodes(tasks_[i].place.tree);
     });
-    std::uint32_t count = above_;
+    std::uint32_t count = topNodes_;
     for (const Task& task : tasks_) count += task.totals.nodes;
     bvh_.nodes.resize(count);
     std::uint32_t next = 0;
@@ -106,7 +106,7 @@ class Flattener {
       tasks_.push_back({place, 0, {}});
       return;
     }
-    ++above_;
+    ++topNodes_;
     const Children children = childrenOf(place.tree);
     for (unsigned c = 0; c < children.count; ++c)
       if (!children.leaf[c]) findTasks(below(place, children, c));
@@ -120,8 +120,8 @@ class Flattener {
     return count;
   }
 
-  /// Visiting a node pops one entry and pushes at most its children, so the stack never holds more
-  /// than 1 + the sum of (children - 1) along a path.
+  /// Visiting a node pops one entry and pushes at most all its children, so the stack never holds
+  /// more than 1 + the sum of (children - 1) along a path.
   static Place below(const Place& place, const Children& children, unsigned c) {
     return {children.tree[c], place.depth + 1, place.stack + children.count - 1};
   }
@@ -130,7 +130,7 @@ class Flattener {
     return s.count == 1 || tree_.nodes[s.node].choices.left(1) == 0;
   }
 
-  /// The root is a node even where it is best a leaf: then it has that one child.
+  /// The root is always a node; if it would best be a leaf, it has that leaf as only child.
   Children childrenOf(const Subtree& s) const {
     Children children;
     if (isLeaf(s)) return {{s}, {true}, 1};
@@ -155,7 +155,8 @@ class Flattener {
     children.leaf[children.count++] = isLeaf(s);
   }
 
-  /// Writes a wide node and those below it, from `next` on, unless `elsewhere` takes them.
+  /// Writes a wide node and those below it, from `next` on, except subtrees for which `elsewhere`
+  /// returns true.
   template <class F>
   void write(const Place& place, std::uint32_t& next, Totals& totals, const F& elsewhere) {
     const Children children = childrenOf(place.tree);
@@ -185,7 +186,7 @@ class Flattener {
     }
   }
 
-  /// Lets the gather of triangles, all over memory, run beside the work on a node.
+  /// Prefetches the triangles, which are scattered in memory.
   void prefetchTriangles(const Children& children) const {
     for (unsigned c = 0; c < children.count; ++c)
       for (std::uint32_t i = 0; children.leaf[c] && i < children.tree[c].count; ++i)
@@ -207,7 +208,7 @@ class Flattener {
   unsigned threads_;
   Bvh bvh_;
   std::vector<Task> tasks_;
-  std::uint32_t above_ = 0;  ///< wide nodes above all tasks
+  std::uint32_t topNodes_ = 0;  ///< number of wide nodes above all tasks
 };
 
 }  // namespace

@@ -6,8 +6,8 @@
 
 namespace laver {
 
-/// Collapses a binary tree as its choices say and writes it, with the triangles that its items
-/// name, in the device's layout.
+/// Collapses a binary tree by its CollapseChoices and writes it, with its triangles, in the
+/// device's layout.
 Bvh flatten(const BinaryTree& tree, std::span<const shared::Triangle> triangles, unsigned threads);
 
 }  // namespace laver

@@ -7,7 +7,7 @@
 
 namespace laver {
 
-/// A primitive to sort into a tree: its box, and its number in the fourth lane of `lo`.
+/// A primitive to be sorted into a tree: its box, with its number in the fourth lane of `lo`.
 struct BuildItem {
   Box4 box;
 
@@ -17,7 +17,7 @@ struct BuildItem {
   std::uint32_t id() const { return std::bit_cast<std::uint32_t>(box.lo[3]) & ~kOrdinary; }
 
  private:
-  /// Makes the number an ordinary float, so that sums over all lanes meet no slow subnormals.
+  /// Makes the number a normal float, since sums over all lanes would be slow with subnormals.
   static constexpr std::uint32_t kOrdinary = 0x40000000U;
 };
 

@@ -10,12 +10,13 @@ using shared::NODE_WIDTH;
 std::array<unsigned, NODE_WIDTH> assignSlots(const Box4& box, std::span<const Box4> children) {
   static_assert(NODE_WIDTH == 8);
   constexpr float kTaken = -std::numeric_limits<float>::infinity();
-  // A pair's number, 8 child + slot, in the low bits of its score makes the best pair a maximum.
+  // The low bits of a score hold the pair's number, 8 child + slot, so that the maximum identifies
+  // the best pair.
   constexpr std::int32_t kNumber = 63;
   const Float4 centre = box.lo + box.hi;
   std::array<Float4, NODE_WIDTH> low, high;  // scores of slots 0 to 3 and 4 to 7
   for (std::size_t c = 0; c < children.size(); ++c) {
-    // Finite, so that each child gets a slot even where sums overflow.
+    // Clamped to finite values, so that each child gets a slot even if sums overflow.
     const Float4 o =
         max(min((children[c].lo + children[c].hi) - centre, splat(1e30F)), splat(-1e30F));
     const Float4 xy = Float4{-o[0], o[0], -o[0], o[0]} + Float4{-o[1], -o[1], o[1], o[1]};
@@ -29,13 +30,13 @@ std::array<unsigned, NODE_WIDTH> assignSlots(const Box4& box, std::span<const Bo
   std::array<unsigned, NODE_WIDTH> slotOf{};
   Int4 freeLow = {-1, -1, -1, -1}, freeHigh = freeLow;
   for (std::size_t round = 0; round < children.size(); ++round) {
-    Float4 mostLow = splat(kTaken), mostHigh = mostLow;
+    Float4 maxLow = splat(kTaken), maxHigh = maxLow;
     for (std::size_t c = 0; c < children.size(); ++c) {
-      mostLow = max(low[c], mostLow);
-      mostHigh = max(high[c], mostHigh);
+      maxLow = max(low[c], maxLow);
+      maxHigh = max(high[c], maxHigh);
     }
-    const Float4 most = max(freeLow ? mostLow : kTaken, freeHigh ? mostHigh : kTaken);
-    const float best = std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
+    const Float4 maxima = max(freeLow ? maxLow : kTaken, freeHigh ? maxHigh : kTaken);
+    const float best = std::max(std::max(maxima[0], maxima[1]), std::max(maxima[2], maxima[3]));
     const auto number = static_cast<unsigned>(std::bit_cast<std::int32_t>(best) & kNumber);
     const unsigned child = number / 8, slot = number % 8;
     slotOf[child] = slot;

@@ -16,7 +16,7 @@ Binning::Binning(const Box4& centroids, std::uint32_t count)
             : count >= 24 ? 16
                           : 8) {
   const Float4 extent = centroids.hi - centroids.lo;
-  // Just below the number of bins, so that the last centroid falls into the last bin.
+  // Slightly below the number of bins, so that the last centroid falls into the last bin.
   scale_ = extent > 1e-30F ? splat(static_cast<float>(bins_) * 0.99999F) / extent : Float4{};
 }
 
@@ -47,8 +47,8 @@ void Bins::add(const Bins& other) {
 }
 
 Split Bins::cheapest(const Binning& binning) const {
-  // One axis a lane. The first and the last bin hold items, on an axis that splits.
-  std::array<Float4, Binning::kMost> right;
+  // One axis per lane. On an axis that can be split, the first and the last bin have items.
+  std::array<Float4, Binning::kMaxBins> right;
   std::array<Box4, 3> box = box_[bins_ - 1];
   Int4 count = count_[bins_ - 1];
   for (unsigned i = bins_ - 1;; --i) {
@@ -57,7 +57,7 @@ Split Bins::cheapest(const Binning& binning) const {
     for (std::size_t axis = 0; axis < 3; ++axis) box[axis].grow(box_[i - 1][axis]);
     count += count_[i - 1];
   }
-  Float4 least = splat(std::numeric_limits<float>::infinity());
+  Float4 minCost = splat(std::numeric_limits<float>::infinity());
   Int4 bin{}, leftCount{};
   box.fill(kEmptyBox);
   count = Int4{};
@@ -67,16 +67,16 @@ Split Bins::cheapest(const Binning& binning) const {
     count += count_[at];
     const Float4 cost =
         halfAreas(box[0], box[1], box[2]) * __builtin_convertvector(count, Float4) + right[at + 1];
-    const Int4 better = cost < least;
+    const Int4 better = cost < minCost;
     bin = better ? Int4{i, i, i, i} : bin;
     leftCount = better ? count : leftCount;
-    least = min(cost, least);
+    minCost = min(cost, minCost);
   }
   Split best;
   float bestCost = std::numeric_limits<float>::infinity();
   for (int axis = 0; axis < 3; ++axis)
-    if (binning.splits(axis) && least[axis] < bestCost) {
-      bestCost = least[axis];
+    if (binning.splits(axis) && minCost[axis] < bestCost) {
+      bestCost = minCost[axis];
       best = {axis, static_cast<unsigned>(bin[axis]), static_cast<std::uint32_t>(leftCount[axis])};
     }
   return best;

@@ -7,7 +7,7 @@
 
 namespace laver {
 
-/// Bounds of some items and of their centroids (twice the centroids, which saves a product).
+/// Bounds of items and of their centroids (times two, which saves a product).
 struct Bounds {
   Box4 box = kEmptyBox, centroids = kEmptyBox;
   void grow(const Box4& item) {
@@ -24,15 +24,15 @@ class Binning {
   unsigned bins() const { return bins_; }
   bool splits(int axis) const { return scale_[axis] > 0.0F; }
   Int4 bin(const Box4& item) const {
-    // What is not finite converts to the lowest integer, and so to bin 0.
-    return __builtin_convertvector(((item.lo + item.hi) - lo_) * scale_, Int4) & (kMost - 1);
+    // Non-finite values convert to the lowest integer, and thus to bin 0.
+    return __builtin_convertvector(((item.lo + item.hi) - lo_) * scale_, Int4) & (kMaxBins - 1);
   }
   /// Whether bin(item)[axis] > bin, exactly.
   bool beyond(const BuildItem& item, int axis, unsigned bin) const {
     return ((item.box.lo[axis] + item.box.hi[axis]) - lo_[axis]) * scale_[axis] >=
            static_cast<float>(bin + 1);
   }
-  static constexpr int kMost = 32;
+  static constexpr int kMaxBins = 32;
 
  private:
   Float4 lo_;
@@ -41,26 +41,26 @@ class Binning {
 };
 
 struct Split {
-  int axis = -1;     ///< -1: no plane divides the items
+  int axis = -1;     ///< -1: no plane separates the items
   unsigned bin = 0;  ///< items of bins <= bin go left
   std::uint32_t leftCount = 0;
 };
 
-/// Items sorted into bins on three axes.
+/// Counts and bounds of items in bins on three axes.
 class Bins {
  public:
   explicit Bins(unsigned bins);
   void add(const Binning& binning, const BuildItem* items, std::uint32_t count);
   void add(const Bins& other);
-  /// The plane of least SAH cost (Wald, "On fast Construction of SAH-based Bounding Volume
+  /// The plane of minimum SAH cost (Wald, "On fast Construction of SAH-based Bounding Volume
   /// Hierarchies", 2007).
   Split cheapest(const Binning& binning) const;
   std::uint32_t upTo(const Split& split) const;
 
  private:
   unsigned bins_;
-  std::array<std::array<Box4, 3>, Binning::kMost> box_;
-  std::array<Int4, Binning::kMost> count_;
+  std::array<std::array<Box4, 3>, Binning::kMaxBins> box_;
+  std::array<Int4, Binning::kMaxBins> count_;
 };
 
 }  // namespace laver

@@ -6,8 +6,8 @@
 
 namespace laver {
 
-/// Calls visit(triangle) for the triangles of a leaf in the order of their slots, until a call
-/// returns true. Returns whether one did.
+/// Calls visit(triangle) for the triangles of a leaf in slot order until a call returns true.
+/// Returns whether one did.
 template <class Visit>
 bool anyTriangle(const Bvh& bvh, std::uint32_t leaf, const Visit& visit) {
   std::uint32_t slot = leaf & shared::REF_INDEX_MASK;
@@ -27,10 +27,10 @@ void forEachTriangle(const Bvh& bvh, std::uint32_t leaf, const Visit& visit) {
   });
 }
 
-/// Depth-first walk. enter(child) says whether the subtree of a child, or its leaf, is needed; it
-/// is called when the child's turn comes, so that it can use what was found before. visit(triangle)
-/// is called for the triangles of the leaves entered, until a call returns true. Children are taken
-/// in the order of `octant` (Node in shared/layout.h). Returns whether visit() ended the walk.
+/// Depth-first walk. enter(child) returns whether to visit a child's subtree or leaf; it is called
+/// just before that, so that it can use earlier results. visit(triangle) is called for the
+/// triangles of the entered leaves until a call returns true. Children are visited in the order of
+/// `octant` (Node in shared/layout.h). Returns whether visit() ended the walk.
 template <class Enter, class Visit>
 bool walk(const Bvh& bvh, std::uint32_t octant, const Enter& enter, const Visit& visit) {
   std::vector<const shared::Child*> waiting;
@@ -38,8 +38,8 @@ bool walk(const Bvh& bvh, std::uint32_t octant, const Enter& enter, const Visit&
   std::uint32_t ref = bvh.root;
   for (;;) {
     if (ref < shared::REF_LEAF) {
-      for (std::uint32_t turn = shared::NODE_WIDTH; turn-- > 0;) {
-        const shared::Child& child = bvh.nodes[ref].child[turn ^ octant];
+      for (std::uint32_t step = shared::NODE_WIDTH; step-- > 0;) {
+        const shared::Child& child = bvh.nodes[ref].child[step ^ octant];
         if (child.ref != shared::REF_NONE) waiting.push_back(&child);
       }
     } else if (ref != shared::REF_NONE && anyTriangle(bvh, ref, visit)) {
@@ -55,7 +55,7 @@ bool walk(const Bvh& bvh, std::uint32_t octant, const Enter& enter, const Visit&
   }
 }
 
-/// The order in which a ray of that direction meets the children of most nodes first.
+/// The octant of a direction, by which a ray hits the children of most nodes front to back.
 inline std::uint32_t octantOf(glm::vec3 direction) {
   return (direction.x < 0.0F ? 1U : 0U) | (direction.y < 0.0F ? 2U : 0U) |
          (direction.z < 0.0F ? 4U : 0U);

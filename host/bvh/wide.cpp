@@ -31,13 +31,13 @@ Forest twoItems(float area, float left, float right, CollapseChoices& choices) {
 Forest joined(const Forest& left, std::uint32_t leftCount, const Forest& right,
               std::uint32_t rightCount, float area, CollapseChoices& choices) {
   static_assert(shared::NODE_WIDTH == 8);
-  // Lane t - 1 of (low, high): the least cost of t trees, of which the left child gets k.
+  // Lane t - 1 of (low, high): the minimum cost of t trees, of which the left child gets k.
   Float4 low = splat(kInfinity), high = low;
   Int4 lowLeft{1, 1, 1, 1}, highLeft = lowLeft;
   const auto& r = right.cost;
   Float4 rightLow{r[0], r[1], r[2], r[3]}, rightHigh{r[4], r[5], r[6], r[7]};
-  const unsigned most = std::min(leftCount, shared::NODE_WIDTH - 1);
-  for (unsigned k = 1; k <= most; ++k) {
+  const unsigned maxTrees = std::min(leftCount, shared::NODE_WIDTH - 1);
+  for (unsigned k = 1; k <= maxTrees; ++k) {
     rightHigh = __builtin_shufflevector(rightHigh, rightLow, 7, 0, 1, 2);
     rightLow = __builtin_shufflevector(rightLow, splat(kInfinity), 4, 0, 1, 2);
     const Float4 leftCost = splat(left.cost[k - 1]);

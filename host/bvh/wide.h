@@ -6,20 +6,20 @@
 
 namespace laver {
 
-/// What a node costs against one triangle test, for every SAH figure of this folder.
+/// Costs of a node and of a triangle test, for every SAH cost in this folder.
 inline constexpr float kNodeCost = 1.0F;
 inline constexpr float kTriangleCost = 0.06F;
 
-/// Least costs of a binary subtree collapsed into at most 1, 2 ... 8 wide trees (Ylitie, Karras and
-/// Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", HPG 2017,
+/// Minimum costs of a binary subtree collapsed into at most 1, 2 ... 8 wide trees (Ylitie, Karras
+/// and Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", HPG 2017,
 /// section 3.1).
 struct Forest {
   std::array<float, shared::NODE_WIDTH> cost;
 };
 
-/// How a subtree's least costs are reached, in nibbles. Nibble i > 0: of i + 1 trees those of the
-/// left child, or 0 where one tree fewer costs no more. Nibble 0: trees that the left child gets
-/// below a wide node here, or 0 where the whole subtree is best one leaf.
+/// How a subtree reaches its minimum costs, in nibbles. Nibble i > 0: the left child's share of i +
+/// 1 trees, or 0 if one tree fewer is no more expensive. Nibble 0: the left child's share of trees
+/// below a wide node here, or 0 if the whole subtree is best one leaf.
 struct CollapseChoices {
   std::uint32_t nibbles;
   unsigned left(unsigned trees) const { return nibbles >> 4 * (trees - 1) & 15U; }

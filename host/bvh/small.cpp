@@ -1,13 +1,13 @@
-#include "bvh/few.h"
+#include "bvh/small.h"
 
 #include <algorithm>
 
 namespace laver {
 namespace {
 
-class Few {
+class SmallSubtree {
  public:
-  explicit Few(BinaryTree& tree) : tree_(tree) {}
+  explicit SmallSubtree(BinaryTree& tree) : tree_(tree) {}
 
   Forest one(const Subtree& s, const BuildItem& a) {
     tree_.items[s.first] = a;
@@ -36,15 +36,15 @@ class Few {
     const Box4 ab = join(a, b), cd = join(c, d);
     const Float4 halves =
         2.0F * (halfAreas(ab, join(a, c), join(a, d)) + halfAreas(cd, join(b, d), join(b, c)));
-    const Float4 alone =
+    const Float4 threeAndOnes =
         3.0F * halfAreas(join(b, cd), join(a, cd), join(ab, d)) + halfAreas(a, b, c);
     const Box4 abc = join(ab, c);
     const std::array<float, 7> cost{halves[0],
                                     halves[1],
                                     halves[2],
-                                    alone[0],
-                                    alone[1],
-                                    alone[2],
+                                    threeAndOnes[0],
+                                    threeAndOnes[1],
+                                    threeAndOnes[2],
                                     3.0F * abc.halfArea() + d.halfArea()};
     const Box4 all = join(abc, d);
     switch (std::min_element(cost.begin(), cost.end()) - cost.begin()) {
@@ -94,20 +94,20 @@ class Few {
 
 }  // namespace
 
-Forest buildFew(const BuildItem* items, const Subtree& s, BinaryTree& tree) {
-  // A copy: the items may lie where the tree's go.
-  std::array<BuildItem, kFew> i;
+Forest buildSmall(const BuildItem* items, const Subtree& s, BinaryTree& tree) {
+  // A copy, since the items may be in the tree's own memory.
+  std::array<BuildItem, kSmallItems> i;
   std::copy_n(items, s.count, i.begin());
-  Few few(tree);
+  SmallSubtree small(tree);
   switch (s.count) {
     case 1:
-      return few.one(s, i[0]);
+      return small.one(s, i[0]);
     case 2:
-      return few.two(s, i[0], i[1]);
+      return small.two(s, i[0], i[1]);
     case 3:
-      return few.three(s, i[0], i[1], i[2]);
+      return small.three(s, i[0], i[1], i[2]);
     default:
-      return few.four(s, i);
+      return small.four(s, i);
   }
 }
 
