@@ -1,14 +1,13 @@
-// The material of a hit. A BSDF NAME of bsdf/NAME.glsl is three functions of unit vectors, but for eval,
-// whose wi and wo may be of any length; wi points to where the light is followed to, wo to where it comes
-// from, both away from the surface:
+// The material of a hit. A BSDF NAME, in bsdf/NAME.glsl, is three functions of unit vectors, except that wi
+// and wo of NAMEEval may have any length. wi points to where the light goes, wo to where it comes from, both
+// away from the surface:
 //   vec3 NAMEEval(Material m, vec3 normal, vec3 wi, vec3 wo, vec3 light)
-//     `light`, the irradiance from wo, times the BSDF: the radiance towards wi. Irradiance holds the
-//     cosine already.
+//     `light`, the irradiance from wo (cosine included), times the BSDF: the radiance towards wi.
 //   float NAMEPdf(Material m, vec3 normal, vec3 wi, vec3 wo)
-//     density of sample's directions per solid angle; 0 for a delta distribution.
+//     density of NAMESample's directions per solid angle; 0 for a delta distribution.
 //   vec3 NAMESample(Material m, vec3 normal, vec3 wi, vec2 numbers, out vec3 wo)
-//     draws wo; returns BSDF * cosine / density.
-// The kernel's key chooses among those that the scene has (evalBsdf, pdfBsdf, sampleBsdf).
+//     samples wo; returns BSDF * cosine / density.
+// evalBsdf(), pdfBsdf() and sampleBsdf(), composed from the kernel's key, call the right one.
 #include "shared/direction.h"
 #include "trace/surface.glsl"
 

@@ -33,9 +33,9 @@ uint enterNode(WalkRay ray, uint node, float last) {
     size = uintBitsToFloat(uvec3(head.w << 23, head.w >> 8 << 23, head.w >> 16 << 23) & 0x7f800000u);
   }
   Children children;
-  children.met = 0u;
-  [[unroll]] for (uint turn = 0u; turn < NODE_WIDTH; ++turn) {
-    const uint child = turn ^ ray.octant;
+  children.hit = 0u;
+  [[unroll]] for (uint i = 0u; i < NODE_WIDTH; ++i) {
+    const uint child = i ^ ray.octant;
     vec3 lo, hi;
     uint ref;
     if (QUANTISED) {
@@ -52,10 +52,10 @@ uint enterNode(WalkRay ray, uint node, float last) {
       ref = low.w;
     }
     const BoxSpan span = boxOf(ray, lo, hi);
-    const bool met = span.near <= span.far && span.depth <= last && ref != REF_NONE;
-    children.met |= met ? 1u << turn : 0u;
-    children.ref[turn] = ref;
-    children.depth[turn] = span.depth;
+    const bool hit = span.near <= span.far && span.depth <= last && ref != REF_NONE;
+    children.hit |= hit ? 1u << i : 0u;
+    children.ref[i] = ref;
+    children.depth[i] = span.depth;
   }
   return enter(children, last);
 }

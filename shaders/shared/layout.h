@@ -65,7 +65,7 @@ struct Child {
   uint count;  // primitives of a leaf, 0 for a node
 };
 
-// A ray of octant o (bit a is set where d[a] < 0) visits child i ^ o in step i, so that it meets
+// A ray of octant o (bit a is set where d[a] < 0) tests child i ^ o in step i, so that it reaches
 // the children roughly front to back. 16 texels.
 #ifdef __cplusplus
 struct Node {

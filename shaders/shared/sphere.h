@@ -11,7 +11,7 @@ LAVER_SHARED_BEGIN
 // Depths at which a line enters and leaves a sphere, and the depth of its point nearest the centre.
 struct Chord {
   float near, middle, far;
-  bool met;
+  bool hit;
 };
 
 // The power of two that scales a radius between 2^-100 and 1 into [1, 2).
@@ -56,7 +56,7 @@ LAVER_FN Chord chordOf(Shear shear, vec3 centre, vec2 ends, float radius) {
   // hit wins.
   chord.near = clamped(ends.x, middle - halfChord, ends.y);
   chord.far = clamped(ends.x, middle + halfChord, ends.y);
-  chord.met = left >= 0.0f;
+  chord.hit = left >= 0.0f;
   return chord;
 }
 
@@ -88,7 +88,7 @@ LAVER_FN bool sphereBlocks(Shear shear, float last, vec3 centre, vec3 end, vec2 
   const Chord chord = chordOf(shear, centre, ends, radius);
   const bool startsOutside = outside(centre, radius), endsOutside = outside(end, radius);
   const bool passes = startsOutside && chord.middle > 0.0f && chord.middle < last;
-  return chord.met && (startsOutside != endsOutside || passes) && ends.x <= last && ends.y >= 0.0f;
+  return chord.hit && (startsOutside != endsOutside || passes) && ends.x <= last && ends.y >= 0.0f;
 }
 
 // hi + lo: a sum with an error of about 2^-46 of its largest term.

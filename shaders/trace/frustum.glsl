@@ -1,5 +1,5 @@
-// The frustum of a packet's rays, and the groups of rays that may share one. A subgroup of 8 lanes
-// holds 8 R rays, R a lane.
+// The frustum of a packet's rays, and the selection of rays that can share one. A subgroup of 8 lanes holds 8
+// R rays, R per lane.
 #include "trace/rays.glsl"
 #include "shared/box.h"
 
@@ -16,7 +16,7 @@ uint orOfLanes(uint x) {
   x |= subgroupShuffleXor(x, 2u);
   return x | subgroupShuffleXor(x, 4u);
 }
-// Bounds of pairs: lowest in xy, highest in zw.
+// Bounds of pairs: minima in xy, maxima in zw.
 vec4 hull(vec4 bounds, vec2 x) {
   return vec4(lesser(x.x, bounds.x), lesser(x.y, bounds.y), greater(x.x, bounds.z),
               greater(x.y, bounds.w));
@@ -29,13 +29,13 @@ vec3 fromLane(vec3 v, uint from) {
   return vec3(subgroupShuffle(v.x, from), subgroupShuffle(v.y, from), subgroupShuffle(v.z, from));
 }
 
-// Slopes alone.
+// Only the slopes of a shear.
 Shear fromLane(Shear s, uint from) {
   return Shear(0u, 0.0, subgroupShuffle(s.u, from), subgroupShuffle(s.v, from));
 }
 
-// All rays of one walk in permuted space (u, v, depth). At depth z >= 0 from `depth`, a ray stands
-// between window.xy + slopes.xy * z and window.zw + slopes.zw * z; hits lie from `first` to `last`.
+// The rays of one walk in permuted space (u, v, depth). At a depth of z >= 0 beyond `depth`, a ray is between
+// window.xy + slopes.xy * z and window.zw + slopes.zw * z; hits lie from `first` to `last`.
 struct Frustum {
   Shear axis;  // slopes 0
   vec4 slopes;
@@ -44,8 +44,8 @@ struct Frustum {
   float first, last;
 };
 
-// May what lies between two permuted corners hold a hit?
-bool meets(Frustum f, vec3 low, vec3 high) {
+// Whether the frustum intersects the box between two permuted corners.
+bool intersects(Frustum f, vec3 low, vec3 high) {
   precise float near = greater(low.z - f.depth, f.first), far = lesser(high.z - f.depth, f.last);
   precise vec4 atNear = f.slopes * near, atFar = f.slopes * far;
   precise vec2 above = high.xy - f.window.xy, below = low.xy - f.window.zw;
@@ -54,10 +54,10 @@ bool meets(Frustum f, vec3 low, vec3 high) {
          greater(atNear.w, atFar.w) >= below.y;
 }
 
-// Takes the rays out of `waiting` that may walk with the first that waits: their slopes differ from
-// its own by no more than the scene allows (packetWindow). Bounds the slopes of the whole group in
-// `f`, of this lane's rays in `own`.
-uint gatherGroup(Shear shears[R], inout uint waiting, inout Frustum f, inout Frustum own) {
+// Forms a group: removes from `waiting` the rays that can walk with the first waiting ray because their
+// slopes differ from its slopes by at most packetWindow. Sets the slopes of the whole group in `f`, and of
+// this lane's rays in `own`.
+uint formGroup(Shear shears[R], inout uint waiting, inout Frustum f, inout Frustum own) {
   const uint leadLane = uint(findLSB(orOfLanes(waiting != 0u ? 1u << lane() : 0u))) & 7u;
   const uint leadRay = subgroupShuffle(uint(findLSB(waiting)), leadLane);
   Shear lead = shears[0];

@@ -1,12 +1,12 @@
-// The stack of one ray per invocation, of STACK entries. Loops are `do … while`: lavapipe runs one
-// extra, fully masked iteration of other loops.
+// The stack for one ray per invocation, of STACK entries. Loops are `do … while`: lavapipe runs one extra,
+// fully masked iteration of other loops.
 #include "shared/layout.h"
 
 uint stackRef[STACK + 1u];
 float stackDepth[STACK + 1u];
 uint stacked;  // entries
 
-// The next reference whose node can hold a hit no farther than `last`; REF_NONE if none can.
+// Pops the next reference whose node may hold a hit no farther than `last`; REF_NONE if there is none.
 uint pop(float last) {
   uint ref;
   do {
@@ -17,32 +17,31 @@ uint pop(float last) {
   return ref;
 }
 
-// Children of a node, the nearest first.
+// Children of a node, nearest first.
 struct Children {
   uint ref[NODE_WIDTH];
   float depth[NODE_WIDTH];
-  uint met;  // bit i: child i is to be entered
+  uint hit;  // bit i: the ray hits child i
 };
 
-// The nearest child that is met; the others that are go onto the stack. Where none is, what the stack
-// gives. Stack writes are serialised per lane by lavapipe, so only the
-// children that the ray hits are pushed.
+// Returns the nearest child that the ray hits and pushes the others, or pops the stack if it hits none. Stack
+// writes are serialised per lane by lavapipe, so only the children that the ray hits are pushed.
 uint enter(Children children, float last) {
-  const uint lowest = children.met & -children.met;
+  const uint lowest = children.hit & -children.hit;
   uint nearest = REF_NONE;
   [[unroll]] for (uint i = 0u; i < NODE_WIDTH; ++i)
     nearest = lowest == 1u << i ? children.ref[i] : nearest;
 
-  // The farthest first. Where none is left, this writes above the stack.
-  uint left = children.met ^ lowest;
+  // Pushes the farthest first. If none is left, this writes above the top of the stack.
+  uint left = children.hit ^ lowest;
   do {
     uint farthest = 0u, ref = REF_NONE;
     float depth = 0.0;
     [[unroll]] for (uint i = 1u; i < NODE_WIDTH; ++i) {
-      const bool met = (left & 1u << i) != 0u;
-      farthest = met ? 1u << i : farthest;
-      ref = met ? children.ref[i] : ref;
-      depth = met ? children.depth[i] : depth;
+      const bool hit = (left & 1u << i) != 0u;
+      farthest = hit ? 1u << i : farthest;
+      ref = hit ? children.ref[i] : ref;
+      depth = hit ? children.depth[i] : depth;
     }
     stackRef[stacked] = ref;
     stackDepth[stacked] = depth;
@@ -53,5 +52,5 @@ uint enter(Children children, float last) {
   return nearest;
 }
 
-// First slot of a leaf; of none, any.
+// First slot of a leaf; for REF_NONE any valid slot.
 uint slotOf(uint ref) { return ref == REF_NONE ? 0u : ref & REF_INDEX_MASK; }

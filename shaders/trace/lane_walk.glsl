@@ -1,11 +1,11 @@
-// The walk of one ray by itself, each lane of a subgroup its own, with a stack of its own.
+// The walk of a single ray: each lane of a subgroup walks with its own ray and stack.
 //
-// Everything is measured by depth, the distance along the ray's dominant axis k (triangle.h).
-// Since loops are `do … while` (lane_stack.glsl), a walk enters the root even for an inactive ray, and
-// tests a triangle even where no leaf is left.
+// Depths are distances along the ray's dominant axis k (triangle.h). Since loops are `do … while`
+// (lane_stack.glsl), a walk enters the root even for an inactive ray, and tests a triangle even if no leaf is
+// left.
 //
-// Which hit wins must not depend on the tree, so a node is left out only if its box, grown sideways
-// by a pad, misses the line (box.h), or lies wholly nearer than tmin or farther than the best hit.
+// Which hit wins must not depend on the tree, so a node is skipped only if its box, grown sideways by a pad,
+// misses the line (box.h), or lies completely nearer than tmin or farther than the best hit.
 #include "resources.glsl"
 #include "trace/lane_stack.glsl"
 #include "trace/rays.glsl"
@@ -31,19 +31,20 @@ LaneRay laneRay(vec3 origin, vec3 direction, float tmin) {
   return ray;
 }
 
-// Enters a node and returns where to go on, with all that the ray can meet up to depth `last`.
+// Tests the children of a node and returns the next reference, given that hits beyond depth `last` are not
+// needed.
 uint enterNode(LaneRay ray, uint node, float last) {
   Children children;
-  children.met = 0u;
-  [[unroll]] for (uint turn = 0u; turn < NODE_WIDTH; ++turn) {
-    const int texel = int((node * NODE_WIDTH + (turn ^ ray.octant)) * 2u);
+  children.hit = 0u;
+  [[unroll]] for (uint step = 0u; step < NODE_WIDTH; ++step) {
+    const int texel = int((node * NODE_WIDTH + (step ^ ray.octant)) * 2u);
     const uvec4 low = texelFetch(nodeTexels, texel);
     const uvec4 high = texelFetch(nodeTexels, texel + 1);
     const BoxSpan span = boxSpan(ray.box, ray.first, texelVec3(low), texelVec3(high));
-    const bool met = span.near <= span.far && span.depth <= last && low.w != REF_NONE;
-    children.met |= met ? 1u << turn : 0u;
-    children.ref[turn] = low.w;
-    children.depth[turn] = span.depth;
+    const bool hit = span.near <= span.far && span.depth <= last && low.w != REF_NONE;
+    children.hit |= hit ? 1u << step : 0u;
+    children.ref[step] = low.w;
+    children.depth[step] = span.depth;
   }
   return enter(children, last);
 }
@@ -53,7 +54,7 @@ struct LaneTriangle {
   vec3 pa, pb, pc;        // permuted, relative to the origin
   uint id, more;
   bool sphere;  // radius b.x
-  vec2 ends;    // of a sphere: the depths of its ends
+  vec2 ends;    // of a sphere: the depths of its front and back
 };
 
 LaneTriangle loadTriangle(LaneRay ray, uint slot) {
@@ -84,7 +85,7 @@ bool isAhead(LaneRay ray, vec3 direction, LaneTriangle t) {
   return (side > 0.0 && along > 0.0) || (side < 0.0 && along < 0.0);
 }
 
-// The slot of what the ray meets first, or NO_HIT.
+// The slot of the nearest primitive that the ray hits, or NO_HIT.
 uint closestLane(vec3 origin, vec3 direction, float tmin, float tmax, bool isActive) {
   const LaneRay ray = laneRay(origin, direction, tmin);
   float last = isActive ? tmax * abs(alongAxis(direction, ray.shear.axis)) : NEVER;
@@ -102,10 +103,10 @@ uint closestLane(vec3 origin, vec3 direction, float tmin, float tmax, bool isAct
         if (HAS_SPHERES && t.sphere) {
           const Chord chord = chordOf(ray.shear, t.pa, t.ends, t.b.x);
           depth = depthOn(chord, ray.first);
-          e.inside = chord.met;
+          e.inside = chord.hit;
           if (BOUNCES && ray.first == 0.0) {
             const bool begins = outside(t.pa, t.b.x);
-            e.inside = chord.met && (!begins || chord.middle > 0.0);
+            e.inside = chord.hit && (!begins || chord.middle > 0.0);
             depth = greater(begins ? chord.near : chord.far, 0.0);
           }
         } else if (BOUNCES && ray.first == 0.0) {
@@ -127,12 +128,12 @@ uint closestLane(vec3 origin, vec3 direction, float tmin, float tmax, bool isAct
   return best;
 }
 
-// Whether nothing lies on the segment from a point along `direction`, which `toLight` says to end at
-// `light`. It is traced from the point: geometry near the point decides, and rounding there must not
+// Whether no primitive blocks the segment from a point along `direction`, which with `toLight` ends at
+// `light`. It is traced from the point: geometry near the point is decisive, and its rounding error must not
 // grow with the light's distance.
 bool unoccludedLane(vec3 point, vec3 direction, bool toLight, vec3 light, bool isActive) {
   const LaneRay ray = laneRay(point, direction, 0.0);
-  // The end's own depth; the slack is the rounding of light - point.
+  // The depth of the end; the slack covers the rounding of light - point.
   const float last = isActive ? alongAxis(abs(direction), ray.shear.axis) * DEPTH_SLACK : NEVER;
   bool blocked = false;
   uint ref = params.root;

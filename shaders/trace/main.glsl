@@ -1,6 +1,6 @@
-// The main function of a trace kernel: camera rays in, radiance and film position of each sample out.
-// The kernel's integrator defines integrate(), which adds to `radiance` what each hit sends back along
-// its ray; in scenes with many lights it is called once for every few of them.
+// The main function of a trace kernel: traces camera rays and stores radiance and film position of each
+// sample. The integrator defines integrate(), which adds the radiance along each ray to `radiance`; in scenes
+// with many lights it is called once for every few of them.
 #include "trace/camera_rays.glsl"
 
 bool finiteAndNotNegative(float x) {

@@ -1,17 +1,17 @@
-// Nearest hits of a packet: rays of one origin.
+// Nearest hits of a packet of rays with one origin.
 #include "trace/packet_leaf.glsl"
 #include "trace/packet_pairs.glsl"
 
-// A triangle of a leaf as rays from `origin` see it.
-struct Target {
+// A triangle of a leaf, relative to `origin`.
+struct LeafTarget {
   vec3 a, b, c;
   uint id, slot;
   float radius;  // of a sphere, else 0
   vec2 ends;
 };
 
-Target targetOf(LeafTriangle leaf, uint from, vec3 origin) {
-  Target t;
+LeafTarget targetOf(LeafTriangle leaf, uint from, vec3 origin) {
+  LeafTarget t;
   t.a = fromLane(leaf.a, from) - origin;
   t.b = fromLane(leaf.b, from) - origin;
   t.c = fromLane(leaf.c, from) - origin;
@@ -26,18 +26,19 @@ Target targetOf(LeafTriangle leaf, uint from, vec3 origin) {
   return t;
 }
 
-bool hitsAt(Target t, Shear shear, float first, out float depth) {
+bool hitsAt(LeafTarget t, Shear shear, float first, out float depth) {
   Edges e = edgesOf(shear, t.a, t.b, t.c);
   depth = depthOf(e, t.a.z, t.b.z, t.c.z);
   if (HAS_SPHERES) {
     const Chord chord = chordOf(shear, t.a, t.ends, t.radius);
     depth = t.radius > 0.0 ? depthOn(chord, first) : depth;
-    e.inside = t.radius > 0.0 ? chord.met : e.inside;
+    e.inside = t.radius > 0.0 ? chord.hit : e.inside;
   }
   return e.inside && depth >= first;
 }
 
-// Updates the nearest hit of a ray, and the depth up to which it looks, by one more triangle.
+// Updates the nearest hit of a ray, and the depth up to which it searches, with the result of one more
+// triangle.
 void keepNearer(bool hit, float depth, uint slot, uint id, inout float last, inout uint best,
                 inout uint bestId) {
   // Equal depths: the smaller id, that is file order.
@@ -47,7 +48,7 @@ void keepNearer(bool hit, float depth, uint slot, uint id, inout float last, ino
   bestId = nearer ? id : bestId;
 }
 
-// Loops stand here, since functions that take arrays come out slower.
+// Loops are not moved into functions, since functions that take arrays are slower.
 Hits closestFromOne(Rays rays) {
   Shear shears[R];
   float first[R], last[R];
@@ -62,7 +63,7 @@ Hits closestFromOne(Rays rays) {
 
   Frustum f, own;
   do {
-    const uint group = gatherGroup(shears, waiting, f, own);
+    const uint group = formGroup(shears, waiting, f, own);
     const vec3 origin = permute(f.axis, rays.origin[0]);
     const float pad = padOf(rays.origin[0]);
     own.window = f.window = vec4(origin.xy - pad, origin.xy + pad);
@@ -92,12 +93,12 @@ Hits closestFromOne(Rays rays) {
           do {
             const uint pair = pairAt(pairs, done + lane());
             const uint owner = pair >> 3;
-            const Target t = targetOf(leaf, pair & 7u, origin);
+            const LeafTarget t = targetOf(leaf, pair & 7u, origin);
             float depths[R];
-            uint met = 0u;
+            uint hitMask = 0u;
             FOR_RAYS (uint r = 0u; r < R; ++r) {
               const float begin = subgroupShuffle(first[r], owner);
-              met |= hitsAt(t, fromLane(shears[r], owner), begin, depths[r]) ? 1u << r : 0u;
+              hitMask |= hitsAt(t, fromLane(shears[r], owner), begin, depths[r]) ? 1u << r : 0u;
             }
             // Each lane takes the hits of its own rays.
             done += 8u;
@@ -105,7 +106,7 @@ Hits closestFromOne(Rays rays) {
             do {
               const bool has = next < end;
               const uint by = next & 7u;
-              const uint found = subgroupShuffle(met, by);
+              const uint found = subgroupShuffle(hitMask, by);
               const uint hitSlot = subgroupShuffle(t.slot, by), id = subgroupShuffle(t.id, by);
               FOR_RAYS (uint r = 0u; r < R; ++r)
                 keepNearer(has && (found >> r & 1u) != 0u, subgroupShuffle(depths[r], by), hitSlot, id,
@@ -115,7 +116,7 @@ Hits closestFromOne(Rays rays) {
           } while (done < pairs.total);
         } else {
           do {
-            const Target t = targetOf(leaf, nextOf(mine), origin);
+            const LeafTarget t = targetOf(leaf, nextOf(mine), origin);
             FOR_RAYS (uint r = 0u; r < R; ++r) {
               float depth;
               const bool hit = hitsAt(t, shears[r], first[r], depth);

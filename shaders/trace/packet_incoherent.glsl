@@ -1,5 +1,5 @@
-// Incoherent rays, which share neither origin nor direction: each lane of a packet walks with its own
-// rays one after the other, as in `lane`.
+// Incoherent rays, which share neither origin nor direction: each lane of a packet walks with its own rays
+// one after the other, as in `lane`.
 #include "trace/lane_walk.glsl"
 
 Hits closest(Rays rays) {

@@ -1,6 +1,7 @@
-// A leaf's triangles, one per lane, and which of them the rays of a lane may meet. Packets of 32 rays
-// (SHARES_TESTS), which trace meshes so fine that a leaf has few triangles for each lane's rays, take two
-// leaves at once where they fit, and distribute the tests among the lanes (trace/packet_pairs.glsl).
+// A leaf's triangles, one per lane, and which of them the rays of each lane may hit. Packets of 32 rays
+// (SHARES_TESTS) are used for fine meshes, where a leaf has few triangles for each lane's rays. They take two
+// leaves at once if these fit into the lanes, and distribute the tests among the lanes
+// (trace/packet_pairs.glsl).
 #include "trace/packet_walk.glsl"
 #include "shared/sphere.h"
 
@@ -11,14 +12,14 @@ struct LeafTriangle {
   float radius;  // of a sphere, whose centre is a; else 0
 };
 
-// 0 for REF_NONE.
+// Number of triangles of a leaf; 0 for REF_NONE.
 uint trianglesOf(uint ref) {
   return ref == REF_NONE ? 0u : (ref >> REF_COUNT_SHIFT & 7u) + 1u;
 }
 
-// Sets in `slot` where this lane's triangle lies. Lanes beyond the end read what follows; the host pads
-// the buffer. Packets of 32 take the next leaf off the stack too, where 8 lanes hold both. Returns how
-// many triangles there are, none for REF_NONE.
+// Sets `slot` to this lane's triangle. Lanes beyond the end read what follows; the host pads the buffer.
+// Packets of 32 also pop the next leaf if 8 lanes can hold both. Returns the number of triangles, 0 for
+// REF_NONE.
 uint takeLeaf(uint ref, out uint slot) {
   const uint count = trianglesOf(ref);
   slot = (count == 0u ? 0u : ref & REF_INDEX_MASK) + lane();
@@ -31,7 +32,7 @@ uint takeLeaf(uint ref, out uint slot) {
   return count + (fits ? more : 0u);
 }
 
-// `mine`: bits of the triangles that the rays of this lane, `own`, may meet.
+// Loads the triangles. `mine` has the bits of those that this lane's rays, bounded by `own`, may hit.
 LeafTriangle loadLeaf(Frustum f, Frustum own, uint ref, out uint mine) {
   LeafTriangle t;
   const uint count = takeLeaf(ref, t.slot);
@@ -54,23 +55,23 @@ LeafTriangle loadLeaf(Frustum f, Frustum own, uint ref, out uint mine) {
   }
   mine = 0u;
   if (SHARES_TESTS) {
-    // Lanes are full: a loop over those that all rays together may meet takes longer.
+    // Most lanes hold a triangle, so a loop over only those that any ray may hit would take longer.
     [[unroll]] for (uint i = 0u; i < MAX_LEAF; ++i)
-      mine |= meets(own, fromLane(low, i), fromLane(high, i)) ? 1u << i : 0u;
+      mine |= intersects(own, fromLane(low, i), fromLane(high, i)) ? 1u << i : 0u;
     mine &= (1u << count) - 1u;
   } else {
-    uint meeting = orOfLanes(lane() < count && meets(f, low, high) ? 1u << lane() : 0u);
-    while (meeting != 0u) {
-      const uint from = uint(findLSB(meeting));
-      meeting &= meeting - 1u;
-      mine |= meets(own, fromLane(low, from), fromLane(high, from)) ? 1u << from : 0u;
+    uint hitting = orOfLanes(lane() < count && intersects(f, low, high) ? 1u << lane() : 0u);
+    while (hitting != 0u) {
+      const uint from = uint(findLSB(hitting));
+      hitting &= hitting - 1u;
+      mine |= intersects(own, fromLane(low, from), fromLane(high, from)) ? 1u << from : 0u;
     }
   }
   return t;
 }
 
-// The next of this lane's triangles. A lane with no triangle left repeats one; testing a triangle twice
-// does not change the result.
+// The next of this lane's triangles. A lane with no triangle left repeats one; testing a triangle twice does
+// not change the result.
 uint nextOf(inout uint mine) {
   const uint from = uint(findLSB(mine)) & 7u;
   mine &= mine - 1u;

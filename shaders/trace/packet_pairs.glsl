@@ -1,14 +1,14 @@
-// Tests shared out among lanes: all pairs of a lane, whose rays they are, and of a triangle that those
-// may meet, numbered lane by lane. Lane k tests pairs k, k + 8 and so on.
+// Distribution of tests among lanes. A pair is a lane, with its rays, and a triangle that those rays may hit.
+// All pairs are numbered, lane by lane; lane k tests pairs k, k + 8 and so on.
 #include "trace/frustum.glsl"
 
 struct Pairs {
-  // Of four lanes, this one among them, a byte each: their triangles, how many those are in each half
-  // byte, and up to and with each byte.
+  // One byte for each of the four lanes of this half: bits of its triangles; their counts per half byte; and
+  // the sums of the counts up to and including each byte.
   uint triangles, halves, upTo;
-  uint firstFour;   // pairs of lanes 0 to 3
+  uint firstFour;   // number of pairs of lanes 0 to 3
   uint total;
-  uint begin, end;  // numbers of this lane's own
+  uint begin, end;  // range of this lane's pairs
 };
 
 Pairs pairsOf(uint mine) {
@@ -28,9 +28,9 @@ Pairs pairsOf(uint mine) {
   return p;
 }
 
-// Pair `number` as 8 * lane + triangle: the place of a set bit, found by halves of what is left
-// (Vigna, "Broadword Implementation of Rank/Select Queries", WEA 2008, finds the byte in the same way).
-// Beyond the last any place of these 64: a triangle that is tested with no need changes nothing.
+// Pair `number` as 8 * lane + triangle: the position of a set bit, found by successive halving (Vigna,
+// "Broadword Implementation of Rank/Select Queries", WEA 2008, finds the byte in the same way). Beyond the
+// last pair any of the 64 positions: an unnecessary test does not change the result.
 uint pairAt(Pairs p, uint number) {
   const uint fourth = number >= p.firstFour ? 4u : 0u;
   number -= fourth == 0u ? 0u : p.firstFour;

@@ -2,10 +2,10 @@
 #include "trace/packet_leaf.glsl"
 #include "trace/packet_pairs.glsl"
 
-// Beyond this distance from the centre of the scene's box of half-width 1, a light is far.
+// Distance from the centre of the scene's box of half-width 1 beyond which a light is far.
 const float FAR_LIGHT = 4.0;
 
-// A triangle of a leaf, seen from the points, and the side of its plane that the light is on.
+// A triangle of a leaf in the points' permuted space, and the light's side of its plane.
 struct Blocker {
   vec3 a, b, c;
   vec3 normal;
@@ -13,20 +13,20 @@ struct Blocker {
   float radius;  // of a sphere, else 0
 };
 
-Blocker blockerOf(LeafTriangle leaf, uint lender, vec3 light, float toLight) {
+Blocker blockerOf(LeafTriangle leaf, uint from, vec3 light, float toLight) {
   const vec3 mirror = vec3(1.0, 1.0, toLight);
   Blocker t;
-  t.a = fromLane(leaf.a, lender) * mirror;
-  t.b = fromLane(leaf.b, lender) * mirror;
-  t.c = fromLane(leaf.c, lender) * mirror;
+  t.a = fromLane(leaf.a, from) * mirror;
+  t.b = fromLane(leaf.b, from) * mirror;
+  t.c = fromLane(leaf.c, from) * mirror;
   t.normal = crossProduct(t.b - t.a, t.c - t.a);
   t.lightSide = dotProduct(t.normal, light - t.a);
   t.radius = 0.0;
-  if (HAS_SPHERES) t.radius = subgroupShuffle(leaf.radius, lender);
+  if (HAS_SPHERES) t.radius = subgroupShuffle(leaf.radius, from);
   return t;
 }
 
-bool hides(Blocker t, Shear shear, vec3 from, float last, vec3 light) {
+bool isBlocked(Blocker t, Shear shear, vec3 from, float last, vec3 light) {
   bool blocked =
       blocks(shear, last, t.normal, t.lightSide, t.a - from, t.b - from, t.c - from);
   if (HAS_SPHERES) {
@@ -37,14 +37,14 @@ bool hides(Blocker t, Shear shear, vec3 from, float last, vec3 light) {
   return blocked;
 }
 
-// The walk goes from the light, which all rays share; but floats count from the origin, so from a
-// far light the frustum would be all padding. Then rays are nearly parallel, and the walk goes from
-// the points: rays are bounded by their slopes and by where they cross the nearest point's depth.
-// The triangle tests are made from the points, as in `lane`.
+// The walk starts at the light, which all rays share. From a far light, however, the frustum would be mostly
+// padding, since float positions are relative to the origin. The rays are then nearly parallel, and the walk
+// starts at the points: rays are bounded by their slopes and by where they cross the depth of the nearest
+// point. Triangle tests are always relative to the points, as in `lane`.
 void unoccludedToOne(vec3 light, vec3 points[R], bool isActive[R], out bool clear[R]) {
   const float farthest = greater(abs(light.x), greater(abs(light.y), abs(light.z)));
   const bool distant = farthest > FAR_LIGHT;
-  // 1 where the walk goes towards the light, -1 where it goes along the same lines away from it.
+  // 1 if the walk goes towards the light, -1 if it goes away from it along the same lines.
   const float toLight = distant ? 1.0 : -1.0;
   Shear shears[R], walks[R];
   uint waiting = 0u;
@@ -58,8 +58,8 @@ void unoccludedToOne(vec3 light, vec3 points[R], bool isActive[R], out bool clea
 
   Frustum f, own;
   do {
-    const uint group = gatherGroup(walks, waiting, f, own);
-    // The group's points and the light as the points' own shears see them.
+    const uint group = formGroup(walks, waiting, f, own);
+    // The group's points and the light, permuted by the points' shears.
     const Shear axis = Shear(f.axis.axis, toLight * f.axis.sign, 0.0, 0.0);
     const vec3 permutedLight = permute(axis, light);
     vec3 from[R];
@@ -83,9 +83,9 @@ void unoccludedToOne(vec3 light, vec3 points[R], bool isActive[R], out bool clea
       own.last = walking ? greater(own.last, ahead + last[r]) : own.last;
     }
     // With padOf's e and A: lines through the points miss the light by the rounding of d and of its
-    // slopes, 7 e A; the triangle test at a point errs by 11 e 2; a blocker may seem to lie behind
-    // the light by 16 e A, which moves it sideways by as much; this walk errs by 3 e A: 48 in all.
-    // From the points, crossings err by 5 e 2 instead of the first and the third.
+    // slopes, 7 e A; the triangle test at a point errs by 11 e 2; a blocker may appear behind the
+    // light by 16 e A, which moves it sideways by as much; this walk errs by 3 e A: 48 in all. From
+    // the points, crossings err by 5 e 2 instead of the first and the third.
     const float pad = 3.0 * padOf(vec3(distant ? nearest : farthest, 0.0, 0.0));
     own.depth = distant ? nearest : -permutedLight.z;
     own.window = (distant ? own.window : permutedLight.xyxy) + vec4(-pad, -pad, pad, pad);
@@ -105,13 +105,13 @@ void unoccludedToOne(vec3 light, vec3 points[R], bool isActive[R], out bool clea
         const LeafTriangle leaf = loadLeaf(f, own, ref, mine);
         if (SHARES_TESTS) {
           const Pairs pairs = pairsOf(mine);
-          uint done = 0u, blocked = 0u;  // R bits a lane
+          uint done = 0u, blocked = 0u;  // R bits per lane
           do {
             const uint pair = pairAt(pairs, done + lane());
             const uint owner = pair >> 3;
             const Blocker t = blockerOf(leaf, pair & 7u, permutedLight, toLight);
             FOR_RAYS (uint r = 0u; r < R; ++r) {
-              const bool hidden = hides(t, fromLane(shears[r], owner), fromLane(from[r], owner),
+              const bool hidden = isBlocked(t, fromLane(shears[r], owner), fromLane(from[r], owner),
                                         subgroupShuffle(last[r], owner), permutedLight);
               blocked |= hidden ? 1u << (R * owner + r) : 0u;
             }
@@ -122,7 +122,7 @@ void unoccludedToOne(vec3 light, vec3 points[R], bool isActive[R], out bool clea
           do {
             const Blocker t = blockerOf(leaf, nextOf(mine), permutedLight, toLight);
             FOR_RAYS (uint r = 0u; r < R; ++r)
-              open &= hides(t, shears[r], from[r], last[r], permutedLight) ? ~(1u << r) : ~0u;
+              open &= isBlocked(t, shears[r], from[r], last[r], permutedLight) ? ~(1u << r) : ~0u;
           } while (orOfLanes(mine) != 0u);
         }
         own.last = (group & open) == 0u ? NEVER : own.last;

@@ -1,15 +1,15 @@
-// A packet's step to the next leaf, a node's children in the lanes, and its stack. Nothing branches: a
-// lavapipe `if` runs both sides.
+// A packet's steps between nodes, with one child per lane, and its stack. The code is branchless: a lavapipe
+// `if` executes both sides.
 #include "trace/frustum.glsl"
 #include "resources.glsl"
 
-// One stack for the subgroup: entry i lies in lane i % 8, row i / 8. The host makes it large enough
-// for any walk.
+// One stack for the subgroup: entry i is in lane i % 8, row i / 8. The host makes it large enough for any
+// walk.
 const uint STACK_ROWS = (STACK + 7u) / 8u;
 uint stackRows[STACK_ROWS];
 int stackSize;
 
-// REF_NONE below the foot.
+// Reads an entry; REF_NONE for negative numbers.
 uint entry(int number) {
   const uint i = uint(max(number, 0));
   uint row = stackRows[0];
@@ -18,29 +18,29 @@ uint entry(int number) {
   return number < 0 ? REF_NONE : ref;
 }
 
-// Takes the top off.
+// Pops the top entry.
 uint pop() { return entry(--stackSize); }
 
-// One step of a bitonic sort across lanes, ascending where `up`.
+// One step of a bitonic sort across lanes, ascending if `up`.
 uint exchange(uint key, uint distance, bool up) {
   const uint other = subgroupShuffleXor(key, distance);
   const bool lower = (lane() & distance) == 0u;
   return lower == up ? min(key, other) : max(key, other);
 }
 
-// Pushes the children of a node that the frustum meets and returns the nearest, or else what lies
-// on the stack.
+// Pushes the children of a node that the frustum intersects and returns the nearest one, or pops the stack if
+// there is none.
 uint enterNode(Frustum f, uint node) {
   const int texel = int((node * NODE_WIDTH + lane()) * 2u);
   const uvec4 low = texelFetch(nodeTexels, texel);
   const uvec4 high = texelFetch(nodeTexels, texel + 1);
   const vec3 a = permute(f.axis, texelVec3(low));
   const vec3 b = permute(f.axis, texelVec3(high));
-  // Where the sign is negative the high corner is nearer.
+  // If the sign is negative, the high corner is nearer.
   const vec3 near = vec3(a.xy, lesser(a.z, b.z)), far = vec3(b.xy, greater(a.z, b.z));
-  const bool hit = low.w != REF_NONE && meets(f, near, far);
+  const bool hit = low.w != REF_NONE && intersects(f, near, far);
 
-  // Depths are not negative, so their bits sort like them; the last three name the lane.
+  // Depths are not negative, so their bits sort like them; the last three bits name the lane.
   uint key = hit ? (floatBitsToUint(greater(near.z - f.depth, 0.0)) & ~7u) | lane() : REF_NONE;
   const bool second = (lane() & 2u) == 0u, third = (lane() & 4u) == 0u;
   key = exchange(key, 1u, second);

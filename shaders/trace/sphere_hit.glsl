@@ -1,4 +1,4 @@
-// The hit on a sphere as surfaces and layers see it.
+// The hit point on a sphere, for surfaces and layers.
 #include "shared/sphere.h"
 #include "texture/angle.glsl"
 
@@ -8,7 +8,7 @@ vec2 uvOnSphere(vec3 n) {
   return vec2(0.5 + turnOf(n.y, n.x), 0.5 + 2.0 * turnOf(n.z, sqrt(n.x * n.x + n.y * n.y)));
 }
 
-// With u and v for the weights of the second and third corner, as where triangles have no texture
+// The hit with u and v as the weights of the second and third corner, as in triangles without texture
 // coordinates.
 Point sphereHitAt(vec3 origin, vec3 direction, float tmin, vec3 centre, float radius) {
   Point p = spherePointAt(origin, direction, tmin, centre, radius);

@@ -1,4 +1,4 @@
-// What a ray has hit: the point on the triangle or sphere, its shading normal and its material.
+// The surface at a hit: the point on the triangle or sphere, its shading normal and its material.
 #include "resources.glsl"
 #include "shared/point.h"
 #include "trace/sphere_hit.glsl"
@@ -55,14 +55,14 @@ Surface surfaceAt(vec3 origin, vec3 direction, uint slot) {
   return surfaceFrom(origin, direction, params.tmin, slot);
 }
 
-// Origin of a ray that leaves the surface along `direction`: offset to that side by the rounding of the
-// hit point itself.
+// The origin of a ray that leaves the surface along `direction`: offset to that side by the rounding error of
+// the hit point.
 vec3 offsetOrigin(Surface s, vec3 direction) {
   const float side = dotProduct(s.geometric, direction) < 0.0 ? -s.offset : s.offset;
   return s.position + s.geometric * side;
 }
 
-// Length of t * direction in scene units.
+// The length of t * direction in scene units.
 float sceneLength(float t, vec3 direction) {
   precise float length = t * sqrt(dotProduct(direction, direction)) * params.sceneUnits;
   return length;

@@ -28,14 +28,14 @@ TestHit closestOne(const Bvh& bvh, const TestRay& r) {
         const vec3 pc = permute(shear, t.c - r.origin);
         const Edges e = edgesOf(shear, pa, pb, pc);
         float depth = depthOf(e, pa.z, pb.z, pc.z);
-        bool met = e.inside;
+        bool hit = e.inside;
         if (t.flipped == IS_SPHERE) {
           const vec2 ends = endsOf(permute(shear, t.a).z, t.b.x, permute(shear, r.origin).z);
           const Chord chord = chordOf(shear, pa, ends, t.b.x);
           depth = depthOn(chord, first);
-          met = chord.met;
+          hit = chord.hit;
         }
-        if (met && depth >= first && depth <= last &&
+        if (hit && depth >= first && depth <= last &&
             (depth < last || best == nullptr || t.id < best->id)) {
           last = depth;
           best = &t;
