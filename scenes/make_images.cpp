@@ -1,4 +1,4 @@
-// Writes the pictures that the ready scenes show: make_images FOLDER
+// Writes the images of the ready scenes: make_images FOLDER
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -15,7 +15,7 @@ using laver::Bitmap;
 using laver::Image;
 using std::numbers::pi;
 
-/// Waves that go round without a seam, in warm colours.
+/// Waves that repeat without a seam, in warm colours.
 Bitmap waves(int size) {
   Bitmap bitmap(size, size, {});
   for (int y = 0; y < size; ++y)

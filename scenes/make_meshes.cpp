@@ -35,7 +35,7 @@ struct Vertex {
   Vec position, normal;
 };
 
-/// Nine significant digits tell every float apart, and hide the last bits of the maths library.
+/// Nine significant digits identify a float uniquely, and hide the last bits of the maths library.
 std::string digits(double value) {
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value + 0.0,
@@ -62,13 +62,13 @@ std::string flatQuads(const std::vector<std::array<Vec, 4>>& quads) {
   return vertices + faces;
 }
 
-/// The quad with that centre, spanned by u and v; it faces u x v.
+/// The quad with this centre, spanned by u and v; it faces u x v.
 std::array<Vec, 4> quad(Vec centre, Vec u, Vec v) {
   return {centre - u - v, centre + u - v, centre + u + v, centre - u + v};
 }
 
 /// A surface closed in both directions over (s, t) in [0, 1)^2, as rows x columns quads with
-/// normals and texture coordinates; the outside is where d/ds x d/dt points.
+/// normals and texture coordinates. d/ds x d/dt points outwards.
 std::string closedSurface(int rows, int columns,
                           const std::function<Vertex(double s, double t)>& at) {
   std::string positions, normals, uvs, faces;
@@ -98,8 +98,9 @@ std::string closedSurface(int rows, int columns,
   return positions + uvs + normals + faces;
 }
 
-/// A sphere-like surface as triangles by latitude and longitude, one vertex at each pole (+-y).
-std::string closedBall(int rings, int columns, const std::function<Vertex(Vec direction)>& at) {
+/// A sphere-like surface of triangles by latitude and longitude, with one vertex at each pole
+/// (+-y).
+std::string closedSphere(int rings, int columns, const std::function<Vertex(Vec direction)>& at) {
   std::string positions, normals, faces;
   const auto put = [&](Vec direction) {
     const Vertex vertex = at(direction);
@@ -132,7 +133,7 @@ std::string closedBall(int rings, int columns, const std::function<Vertex(Vec di
   return positions + normals + faces;
 }
 
-/// Axis y, radii 1 and 0.4.
+/// A torus with axis y and radii 1 and 0.4.
 Vertex torus(double s, double t) {
   const double a = 2 * pi * t, b = 2 * pi * s;
   const Vec out{std::sin(a), 0, std::cos(a)};
@@ -140,8 +141,8 @@ Vertex torus(double s, double t) {
   return {out + 0.4 * normal, normal};
 }
 
-/// Radius r(d) = 1 + a g(d), with g(d) = sin(k x) sin(k y) sin(k z) of the unit direction d.
-/// Its normal is parallel to d - a (grad g - (grad g . d) d) / r.
+/// A sphere of radius r(d) = 1 + a g(d), with g(d) = sin(k x) sin(k y) sin(k z) of the unit
+/// direction d. Its normal is parallel to d - a (grad g - (grad g . d) d) / r.
 Vertex wavySphere(Vec d) {
   constexpr double a = 0.35, k = 4.0;
   const Vec s{std::sin(k * d.x), std::sin(k * d.y), std::sin(k * d.z)};
@@ -151,7 +152,7 @@ Vertex wavySphere(Vec d) {
   return {r * d, unit(d - a / r * (gradient - dot(gradient, d) * d))};
 }
 
-/// A tube of radius 0.2 round c(u) = (sin u + 2 sin 2u, cos u - 2 cos 2u, -sin 3u) / 3, in its
+/// A tube of radius 0.2 around c(u) = (sin u + 2 sin 2u, cos u - 2 cos 2u, -sin 3u) / 3, in its
 /// Frenet frame. The knot differs from its mirror image.
 Vertex trefoil(double s, double t) {
   const double u = 2 * pi * s, b = 2 * pi * t;
@@ -167,7 +168,7 @@ Vertex trefoil(double s, double t) {
   return {centre + 0.2 * normal, normal};
 }
 
-/// Written beside its place and renamed, so that a reader never sees half of it.
+/// Writes a temporary file and renames it, so that a reader never sees half of it.
 void save(const std::filesystem::path& file, const std::string& text) {
   const std::filesystem::path temporary = file.string() + ".tmp";
   std::ofstream stream(temporary, std::ios::binary);
@@ -193,7 +194,7 @@ void makeMeshes(const std::filesystem::path& folder) {
   save(folder / "room-left.obj", flatQuads({quad(right, y, z)}));
   save(folder / "room-right.obj", flatQuads({quad(x, z, y)}));
   save(folder / "torus.obj", closedSurface(16, 36, torus));
-  save(folder / "wavy-sphere.obj", closedBall(48, 96, wavySphere));
+  save(folder / "wavy-sphere.obj", closedSphere(48, 96, wavySphere));
   save(folder / "trefoil.obj", closedSurface(240, 16, trefoil));
 }
 

@@ -3,8 +3,8 @@
 
 namespace laver {
 
-/// Whether a text is what Git LFS leaves in the place of a file that it has not fetched (its first
-/// key is the version, of the program's first name in old repositories).
+/// Whether a text is a pointer file, which Git LFS leaves in place of a file that it has not
+/// fetched. Its first key is the version, in old repositories with the program's earlier name.
 inline bool isLfsPointer(std::string_view text) {
   return text.starts_with("version https://git-lfs.github.com/spec/") ||
          text.starts_with("version https://hawser.github.com/spec/");

@@ -21,7 +21,7 @@ using glm::vec3;
 /// Largest e with 2^e <= x, for finite x > 0.
 int floorLog2(double x) { return std::ilogb(x); }
 
-/// Packs the meshes' primitives in file order, and one attribute entry for each.
+/// Packs the primitives of the meshes in file order, with one attribute entry each.
 class MeshPacker {
  public:
   MeshPacker(const Scene& scene, const Uploads& uploads, Packed& packed, TexturePacker& textures)
@@ -29,7 +29,7 @@ class MeshPacker {
 
   std::vector<shared::Triangle> pack() {
     if (!uploads_.primitives) return {};
-    if (uploads_.normals) packed_.normals.emplace_back(0.0F);  // NO_NORMAL's place
+    if (uploads_.normals) packed_.normals.emplace_back(0.0F);  // the entry of NO_NORMAL
     for (const Mesh& mesh : scene_.meshes) add(mesh);
     return std::move(triangles_);
   }
@@ -38,7 +38,7 @@ class MeshPacker {
   const std::vector<shared::Attributes>& attributes() const { return attributes_; }
 
  private:
-  /// Adds the mesh's records; returns their number.
+  /// Adds the records of the mesh and returns their index.
   std::uint32_t addMaterial(const Mesh& mesh) {
     if (uploads_.textures) textures_.addRecord(mesh, nextId_);
     if (uploads_.materials) packed_.materials.push_back(materialOf(mesh, uploads_.bsdfs));
@@ -48,10 +48,10 @@ class MeshPacker {
   void addSphere(const Mesh& mesh) {
     const std::uint32_t material = addMaterial(mesh);
     const std::uint32_t id = nextId_++;
-    // Like a triangle without coordinates: the kernels take u and v for weights (ball.glsl).
+    // As for a triangle without coordinates, the kernels use u and v as weights (sphere.h).
     if (uploads_.textures) textures_.addTriangle(mesh, {0, 1, 2}, {0, 1, 2});
     const auto radius = static_cast<float>(mesh.sphere->radius * packed_.space.scale);
-    // sphere.h takes these to unit size by a power of two that floats hold.
+    // Radii below 2^-100 are out of the range of scaleToUnit() in sphere.h.
     if (radius < 0x1p-100F) {
       ++packed_.collapsedTriangles;
       return;
@@ -77,8 +77,8 @@ class MeshPacker {
       const vec3 a = positions[t.x], b = positions[t.y], c = positions[t.z];
       const std::uint32_t id = nextId_++;
       if (uploads_.textures) textures_.addTriangle(mesh, given, t);
-      // An edge of no length has no inside; its neighbours still meet. Triangles that merely
-      // became collinear stay: they fill what rounding opens beside them.
+      // An edge of length 0 has no inside, and its neighbours still meet. Triangles whose corners
+      // merely became collinear are kept, since they fill gaps that rounding opens next to them.
       if (a == b || b == c || c == a) {
         ++packed_.collapsedTriangles;
         continue;
@@ -89,7 +89,7 @@ class MeshPacker {
     }
   }
 
-  /// Orders corners by position; true if that turned the winding.
+  /// Sorts corners by position; true if this reverses the winding.
   static bool sortCorners(glm::uvec3& t, const std::vector<vec3>& positions) {
     const auto before = [&](std::uint32_t i, std::uint32_t j) {
       const vec3 p = positions[i], q = positions[j];
@@ -113,7 +113,7 @@ class MeshPacker {
   std::uint32_t nextId_ = 0, meshes_ = 0;
 };
 
-/// Attributes are made in file order; leaves want them in their own.
+/// Attributes in the order of the leaves, from attributes in file order.
 std::vector<shared::Attributes> inLeafOrder(const std::vector<shared::Attributes>& attributes,
                                             const std::vector<shared::Triangle>& inFileOrder,
                                             const Bvh& bvh) {
@@ -141,7 +141,7 @@ std::vector<std::byte> attributeBytes(const std::vector<shared::Attributes>& att
   return {bytes.begin(), bytes.end()};
 }
 
-/// Four numbers per triangle, or its material alone where no kernel reads normals.
+/// Packs four numbers per triangle, or only its material if no kernel reads normals.
 void packAttributes(const std::vector<shared::Attributes>& attributes, const Uploads& uploads,
                     Packed& packed) {
   const bool normals = uploads.normals;
@@ -157,7 +157,7 @@ void packAttributes(const std::vector<shared::Attributes>& attributes, const Upl
   }
 }
 
-/// radiance / distance^2 keeps its value when distances are scaled, if radiance is by the square.
+/// radiance / distance^2 is invariant if distances are scaled by s and radiance by s^2.
 shared::Light lightData(const PointLight& light, const Normalisation& space) {
   return {vec3(space.apply(light.position)), 0.0F,
           vec3(light.radiance * (space.scale * space.scale)), 0.0F};
@@ -245,9 +245,9 @@ std::span<const std::byte> bytes(const std::vector<T, A>& data) {
 
 std::vector<DeviceArray> arraysOf(const Packed& p) {
   constexpr VkFormat kTexels = VK_FORMAT_R32G32B32A32_UINT;
-  // A packet's lanes read a leaf's triangles and what follows, which must not be met.
+  // The lanes of a packet read past the last triangle of a leaf; zeros there are never hit.
   constexpr std::uint64_t kAfterTriangles = (shared::MAX_LEAF - 1) * sizeof(shared::Triangle);
-  // Kernels that do not know that there is no light look at one, which must be black.
+  // A kernel that is not specialised to scenes without lights reads one light, which must be black.
   constexpr std::uint64_t kAfterLights = sizeof(shared::Light);
   return {
       {shared::BIND_NODES, "BVH nodes", bytes(p.bvh.nodes), kTexels, 0, false},
@@ -276,7 +276,7 @@ std::string contentOf(const Packed& packed, const Choices& choices) {
   params.sampleCount = params.root = 0;
   hash.add(std::as_bytes(std::span(&params, 1)));
   TraceKey key = choices.pictures.front().key;
-  key.stack = key.jumpLevels = 0;  // of the tree and of the sample count
+  key.stack = key.jumpLevels = 0;  // depend on the tree and the sample count
   key.traversal = Traversal::Lane;
   GatherKey gather = choices.gather;
   gather.strips = false;

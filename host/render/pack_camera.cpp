@@ -13,15 +13,15 @@ void packCamera(const Camera& camera, Packed& packed) {
   const glm::dmat4& m = camera.toWorld;
   const dvec3 origin = dvec3(m[3]) / m[3].w;
 
-  // A camera may be scaled; kappa brings its directions to about unit length.
+  // The camera's transform may scale; kappa brings its directions to about unit length.
   double largest = 0.0;
   for (int column = 0; column < 3; ++column)
     for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(m[column][row]));
   const double kappa = std::ldexp(1.0, -std::ilogb(largest));
 
-  // In camera space the ray through film position (px, py) is (q, 1) with q = (1 - 2 px / w) T,
-  // (1 - 2 py / h) T h / w, T = tan(fov / 2); both are T / w times (w - 2 px), (h - 2 py). Then t
-  // is the distance along the camera's axis, in which the clip planes are given.
+  // In camera space the ray through film position (px, py) is (q, 1) with q = (1 - 2 px / w) T, (1
+  // - 2 py / h) T h / w, T = tan(fov / 2); both are T / w times (w - 2 px), (h - 2 py). Then t is
+  // the distance along the camera's axis, in which the clip planes are given.
   const double pixel = std::tan(camera.fov * std::numbers::pi / 360.0) / camera.width;
   shared::Params& p = packed.params;
   p.origin = vec3(packed.space.apply(origin));
@@ -29,7 +29,7 @@ void packCamera(const Camera& camera, Packed& packed) {
   p.columnY = vec3(dvec3(m[1]) * (kappa * pixel));
   p.columnZ = vec3(dvec3(m[2]) * kappa);
   const double scale = packed.space.scale / kappa;
-  // Far planes beyond 1e37 are as good as none, and times a direction stay finite.
+  // Far planes beyond 1e37 clip nothing, and times a direction they must stay finite.
   const auto clip = [&](double z) { return static_cast<float>(std::clamp(z * scale, 0.0, 1e37)); };
   p.tmin = clip(camera.nearClip);
   p.tmax = clip(camera.farClip);
@@ -41,7 +41,7 @@ void packCamera(const Camera& camera, Packed& packed) {
 void packFilter(const Filter& filter, bool noriTable, shared::Params& params) {
   params.filterRadius = static_cast<float>(filter.radius);
   if (filter.row->shape != nullptr) params.filterShape = glm::vec2(filter.row->shape(filter));
-  // Nori's table: 32 entries over the radius, and a last one of 0.
+  // Nori's table: 32 entries over the radius, followed by a 0.
   const double alpha = -1.0 / (2.0 * filter.stddev * filter.stddev);
   for (int i = 0; i < 32; ++i)
     params.filterTable[i / 4][i % 4] =

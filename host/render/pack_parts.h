@@ -1,22 +1,23 @@
 #pragma once
 #include "render/packed.h"
 
-// The parts of pack(). Each fills what its name says of `packed`.
+// The parts of pack(). Each fills the members of `packed` that its name states.
 namespace laver {
 
-/// The camera's parameters; packed.space must be there.
+/// The camera's parameters; requires packed.space.
 void packCamera(const Camera& camera, Packed& packed);
 
-/// The filter's parameters; the table is Nori's or that of filter/gaussian_narrow.glsl.
+/// The filter's parameters. The table is Nori's if `noriTable`, else that of
+/// filter/gaussian_narrow.glsl.
 void packFilter(const Filter& filter, bool noriTable, shared::Params& params);
 
-/// The sampler's parameters and tables, of `jumpLevels` levels.
+/// The sampler's parameters and its jump tables of `jumpLevels` levels.
 void packSampler(const Scene& scene, std::uint32_t jumpLevels, Packed& packed);
-/// The seed alone.
+/// Only the seed.
 void packSeed(std::int64_t seed, shared::Params& params);
 
-/// The integrator's float properties, in the order of its row. Lengths come to normalised space,
-/// whose points lie less than 4 apart; below 2^-100 nothing is seen apart.
+/// The integrator's float properties, in the order of its row. Lengths are converted to normalised
+/// space, whose points are less than 4 apart, and clamped to [2^-100, 4].
 glm::vec4 propertiesOf(const IntegratorUse& integrator, const Normalisation& space);
 
 /// What meshes emit, and the light sources of light sampling; tree, space and lights must be there.
@@ -29,7 +30,7 @@ struct PcgJump {
 };
 PcgJump pcgJump(std::uint64_t steps);
 
-/// Levels of tables that `independent` needs for that many samples per pixel: 1 to 3.
+/// Number of table levels that `independent` needs for `samples` samples per pixel: 1 to 3.
 std::uint32_t jumpLevels(std::uint32_t samples);
 
 }  // namespace laver

@@ -9,10 +9,10 @@ namespace {
 constexpr std::uint64_t kMultiplier = 6364136223846793005ULL;
 constexpr std::uint64_t kBlockPixels = std::uint64_t{32} * 32;
 constexpr std::uint64_t kNumbersPerSample = 4;
-/// Samples that the first of the two tables by sample covers.
+/// Number of samples covered by the first of the two tables indexed by sample.
 constexpr std::uint32_t kLowSamples = 1024;
 
-/// First `a`, then `b`.
+/// The jump `a` followed by the jump `b`.
 PcgJump then(PcgJump a, PcgJump b) {
   return {b.multiplier * a.multiplier, b.multiplier * a.increments + b.increments};
 }
@@ -21,7 +21,7 @@ glm::uvec2 halves(std::uint64_t x) {
   return {static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(x >> 32)};
 }
 
-/// Appends jumps by first, first + step, ... , `count` of them.
+/// Appends `count` jumps, by first, first + step, ... steps.
 void appendTable(std::vector<shared::Jump>& table, std::uint64_t first, std::uint64_t step,
                  std::uint64_t count) {
   PcgJump jump = pcgJump(first);
@@ -33,7 +33,7 @@ void appendTable(std::vector<shared::Jump>& table, std::uint64_t first, std::uin
 }
 
 void packTables(std::uint32_t samples, std::uint32_t levels, Packed& packed) {
-  // By pixel of the block, with the step that ends PCG32's seeding.
+  // Indexed by the pixel of the block, including the step that ends the seeding of PCG32.
   appendTable(packed.jumps, 1, kNumbersPerSample * samples, kBlockPixels);
   const std::uint32_t low = std::min(samples, kLowSamples);
   packed.params.samplerArguments = {static_cast<std::uint32_t>(packed.jumps.size()), 0, low, 0};
@@ -44,8 +44,8 @@ void packTables(std::uint32_t samples, std::uint32_t levels, Packed& packed) {
   }
 }
 
-/// Half a step of the finest grid whose points + half a step are exact in float on all of the film,
-/// in 2^-32 pixels; unitFloat() has 23 bits.
+/// Half a step of the finest grid whose points plus half a step are exact in float on the whole
+/// film, in 2^-32 pixels; unitFloat() has 23 bits.
 std::uint32_t halfStep(const Camera& camera) {
   const auto last = static_cast<std::uint32_t>(std::max(camera.width, camera.height) - 1);
   const int bits = std::clamp(24 - static_cast<int>(std::bit_width(last)), 1, 23);

@@ -9,7 +9,7 @@ namespace laver {
 using glm::vec2;
 using glm::vec3;
 
-/// 1 + the place of its kind. A texture that shows nothing of its own, such as an image that was
+/// 1 + the index of the texture's kind. A texture without visible effect, such as an image that was
 /// not read, has the colour of its record.
 std::uint32_t TexturePacker::kindOf(const std::optional<Texture>& texture) const {
   if (!isVisible(texture)) return shared::TEXTURE_NONE;
@@ -36,14 +36,14 @@ void TexturePacker::addTriangle(const Mesh& mesh, glm::uvec3 given, glm::uvec3 s
   if (packed_.textures.back().kind == shared::TEXTURE_NONE) return;
   for (int corner = 0; corner < 3; ++corner) {
     const std::uint32_t vertex = stored[corner];
-    // Without coordinates u and v are the weights of the second and the third corner.
+    // Without coordinates, u and v are the barycentric weights of the second and the third corner.
     packed_.uvs.push_back(!mesh.uvs.empty() ? vec2(mesh.uvs[vertex])
                                             : vec2(vertex == given.y, vertex == given.z));
   }
 }
 
 void TexturePacker::packBackground(const Environment& environment) {
-  // Only directions count; entries of about 1 keep them far from the range of floats.
+  // Only directions matter; entries of about 1 keep them far from the limits of float.
   glm::dmat3 inverse = glm::inverse(glm::dmat3(environment.toWorld));
   double largest = 0.0;
   for (int column = 0; column < 3; ++column)

@@ -5,17 +5,17 @@
 
 namespace laver {
 
-/// Packs what textures and the background need, each image once.
+/// Packs the data of textures and the background, each image once.
 class TexturePacker {
  public:
   explicit TexturePacker(Packed& packed, const std::vector<std::string>& kinds)
       : packed_(packed), kinds_(kinds) {}
 
-  /// Adds a mesh's texture record. Its mesh's first triangle has the number `firstId`.
+  /// Adds the texture record of a mesh whose first triangle has the number `firstId`.
   void addRecord(const Mesh& mesh, std::uint32_t firstId);
 
-  /// Adds the texture coordinates of the next triangle of that mesh, if it shows a texture: for the
-  /// corners of `stored`, which are those of `given` in another order.
+  /// Adds the texture coordinates of the mesh's next triangle, if it has a texture. `stored` is a
+  /// permutation of the corners `given` in the file.
   void addTriangle(const Mesh& mesh, glm::uvec3 given, glm::uvec3 stored);
 
   /// Fills the background's part of packed.params.

@@ -16,7 +16,7 @@
 namespace laver {
 
 /// Space of the kernels: p' = scale * (p - centre), so that all vertices lie in [-1, 1]^3. The
-/// scale is a power of two; without meshes the space is the scene's own.
+/// scale is a power of two. Without meshes the space is that of the scene.
 struct Normalisation {
   glm::dvec3 centre{0.0};
   double scale = 1.0;
@@ -30,7 +30,7 @@ struct Bounds {
 };
 Bounds boundsOf(const Scene& scene);
 
-/// A scene in the layout of the kernels; empty arrays are not uploaded.
+/// A scene in the memory layout of the kernels; empty arrays are not uploaded.
 struct Packed {
   Normalisation space;
   Bvh bvh;
@@ -40,19 +40,19 @@ struct Packed {
   std::vector<shared::Material> materials;
   std::vector<shared::Light> lights;
   std::vector<shared::Jump> jumps;
-  std::vector<shared::Texture> textures;   ///< one per mesh
-  std::vector<glm::vec2> uvs;              ///< three per triangle that shows a texture
-  std::vector<std::uint32_t> images;       ///< all images and their tables
+  std::vector<shared::Texture> textures;  ///< one per mesh
+  std::vector<glm::vec2> uvs;             ///< three per triangle with a texture
+  std::vector<std::uint32_t> images;      ///< all images and their tables
   std::vector<shared::Emission> emission;  ///< one per mesh
   std::vector<shared::Source> sources;     ///< of light sampling
   shared::Params params{};
   VkFormat attributeFormat = VK_FORMAT_R32G32B32A32_UINT;
-  std::uint64_t triangles = 0;           ///< uploaded, spheres too
-  std::uint64_t collapsedTriangles = 0;  ///< two corners fell together when rounded to float
+  std::uint64_t triangles = 0;           ///< uploaded, including spheres
+  std::uint64_t collapsedTriangles = 0;  ///< two corners coincide after rounding to float
   double buildSeconds = 0;               ///< of the tree
 };
 
-/// Rounds, builds and packs what is to be uploaded.
+/// Rounds the scene to float, builds the tree and packs all arrays.
 Packed pack(const Scene& scene, const RenderOptions& options, const Uploads& uploads);
 
 /// An array of a scene on the device.
@@ -61,17 +61,17 @@ struct DeviceArray {
   const char* name;  ///< for messages
   std::span<const std::byte> bytes;
   VkFormat format;
-  std::uint64_t zeros;  ///< bytes of zeros behind it
-  bool decidesPicture;  ///< other contents make another picture
+  std::uint64_t zeros;  ///< number of zero bytes appended
+  bool decidesPicture;  ///< its contents affect the picture
 };
 
-/// All of them: what is uploaded, counted and hashed.
+/// All arrays, in the order in which they are uploaded and hashed.
 std::vector<DeviceArray> arraysOf(const Packed& packed);
 
-/// Bytes of them.
+/// Bytes of all arrays, with the zeros appended.
 std::uint64_t bytesOf(const Packed& packed);
 
-/// A hash of everything that a picture's values depend on, the sample count left out.
+/// A hash of everything that affects the values of a picture, except the sample count.
 std::string contentOf(const Packed& packed, const Choices& choices);
 
 }  // namespace laver

@@ -40,8 +40,7 @@ bool isFinite(const glm::dvec3& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
-// Whether the area is exactly zero, and not by underflow: the edges are scaled by a power of two
-// first.
+// Whether the area is exactly zero, not by underflow: the edges are first scaled by a power of two.
 bool hasNoArea(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   const auto scaled = [](glm::dvec3 e) {
     int exponent = 0;

@@ -44,17 +44,17 @@ class Checker {
     std::size_t offset;
     std::string message;
   };
-  // An index beyond what was read before it; later lines may reach it. Back from the first of a
-  // list it can reach nothing, but the list may stay empty.
+  // An index beyond the elements read so far; later lines may define it. A negative index beyond
+  // the first element is invalid, unless its list stays empty.
   struct FarIndex {
     std::size_t offset;
     std::size_t kind;  // of kKinds
     std::int64_t index;
   };
-  // What is warned of once, with the number of places.
+  // A warning given once, with the number of its occurrences.
   struct Repeated {
     std::size_t line = 0;  // of the first
-    std::string message;   // with a place for the number
+    std::string message;   // with a placeholder for the number
     std::uint64_t count = 0;
   };
 
@@ -96,7 +96,7 @@ class Checker {
     }
   }
 
-  // A text of unknown statements alone is another file under a wrong name.
+  // A text with only unknown statements is a file of another kind.
   void checkUnknown() {
     if (unknown_ == 0) return;
     const auto& [offset, statement] = firstUnknown_;
@@ -133,8 +133,8 @@ class Checker {
     }
   }
 
-  // tinyobjloader makes NaN of 0e400, overflows in the exponent of 1e-9999999999, and loses what
-  // hundreds of digits add up to. The shortest form of a double has at most 24 characters.
+  // tinyobjloader reads 0e400 as NaN, overflows in the exponent of 1e-9999999999, and loses
+  // precision with hundreds of digits. The shortest form of a double has at most 24 characters.
   void simplify(std::string_view word, double value) {
     std::array<char, 24> shortest;
     if (value != 0.0 && word.size() <= shortest.size()) return;
@@ -157,8 +157,8 @@ class Checker {
     if (count > 4) result_.polygonLines.push_back(lines_.line());
   }
 
-  // v/vt/vn, of which vt and vn may be empty or 0, as Cinema 4D writes, or missing with their
-  // slash.
+  // v/vt/vn, of which vt and vn may be empty or 0, as Cinema 4D writes, or absent together with
+  // their slash.
   void checkCorner(std::string_view corner) {
     const std::size_t offset = lines_.offsetOf(corner);
     std::array<std::string_view, 3> parts;
@@ -185,7 +185,7 @@ class Checker {
                                          given[2] ? parts[2] : ""));
   }
 
-  // An index that 64 bits do not hold is out of every range.
+  // An index that does not fit in 64 bits is out of every range.
   static std::optional<std::int64_t> indexOf(std::string_view text) {
     std::int64_t index = 0;
     const auto [stop, fault] = std::from_chars(text.data(), text.data() + text.size(), index);
@@ -214,8 +214,8 @@ class Checker {
                               index, soFar));
   }
 
-  // Without texture coordinates or normals in the file, corners that name them do without, as in
-  // Nori and Blender.
+  // Without texture coordinates or normals in the file, their indices are ignored, as in Nori and
+  // Blender.
   void checkFarIndices() {
     constexpr std::array<const char*, 3> kMissing = {
         "", "{} corners name texture coordinates, of which the file has none: they get none",

@@ -48,7 +48,7 @@ std::size_t Lines::lineEnd(std::size_t from) const {
 std::size_t Lines::joinedLineEnd() {
   std::size_t end = lineEnd(begin_);
   if (end == begin_ || end == text_.size() || text_[end - 1] != '\\') return end;
-  // Names of other statements may end in a backslash, and so may comments.
+  // Names in other statements may end in a backslash, and so may comments.
   const std::size_t first = text_.find_first_not_of(" \t", begin_);
   if (text_[first] != 'v' && text_[first] != 'f') return end;
   const auto hasComment = [&] {

@@ -7,10 +7,10 @@
 
 namespace laver::obj {
 
-/// Walks the lines of an OBJ text that hold data, split into words. Lines end with LF, CR LF or CR.
-/// What tinyobjloader does not know is blanked in place: a byte order mark, comments behind data,
-/// and the backslash and line end by which a line of data continues in the next. A comment begins
-/// at a # that begins a word: -1.#IND is a number, if no good one.
+/// Iterates over the lines with data of an OBJ text, split into words. Lines end with LF, CR LF or
+/// CR. Parts that tinyobjloader does not support are blanked in place: a byte order mark, comments
+/// after data, and the backslash and line end that continue a line. A # begins a comment only at
+/// the start of a word: -1.#IND is a (malformed) number.
 class Lines {
  public:
   explicit Lines(std::string text);
@@ -21,16 +21,16 @@ class Lines {
   /// The words of the line, the statement's name first.
   const std::vector<std::string_view>& words() const { return words_; }
   std::size_t offset() const { return begin_; }
-  /// From 1; the first of lines that are one by continuation.
+  /// From 1; of continued lines, the first.
   std::size_t line() const { return line_; }
   std::size_t offsetOf(std::string_view word) const {
     return static_cast<std::size_t>(word.data() - text_.data());
   }
 
-  /// Overwrites a word by a text that is not longer.
+  /// Overwrites a word with a text that is not longer.
   void replace(std::string_view word, std::string_view text);
 
-  /// The number of the line at an offset, from 1, as the original text counts them. Slow.
+  /// The line number of an offset, from 1, in the original text. Slow.
   std::size_t lineOf(std::size_t offset) const;
 
   std::string takeText() && { return std::move(text_); }

@@ -1,4 +1,4 @@
-// The only file that sees tinyobjloader: its type of number depends on this macro.
+// The only file that includes tinyobjloader, whose number type depends on this macro.
 #define TINYOBJLOADER_USE_DOUBLE
 #define TINYOBJLOADER_IMPLEMENTATION
 #include <tiny_obj_loader.h>
@@ -13,7 +13,7 @@
 namespace laver::obj {
 namespace {
 
-// Reads a string without copying it.
+// A stream buffer over a string that is not copied.
 class ViewBuffer : public std::streambuf {
  public:
   explicit ViewBuffer(const std::string& text) {
@@ -28,8 +28,8 @@ struct Corner {
   int next;  // the next corner with the same v, -1: none
 };
 
-// Collects what tinyobjloader reports. Faces may come before their vertices, so the ranges of
-// indices follow from the expected counts.
+// Collects the data that tinyobjloader reports. Faces may precede their vertices, so the valid
+// ranges of indices come from the expected counts.
 class Builder {
  public:
   explicit Builder(const Counts& expected)
@@ -79,8 +79,8 @@ class Builder {
   }
 
  private:
-  // From the file's index, which counts from 1, or back from what was read so far if negative; 0:
-  // not given, as where the file has none.
+  // Converts the file's index, which counts from 1, or if negative, back from the last element
+  // read; 0 means absent, and so does any index if the file has no such element.
   int absolute(int index, std::size_t soFar, std::uint64_t count) {
     if (index == 0 || count == 0) return -1;
     const std::int64_t result =
@@ -121,7 +121,7 @@ class Builder {
     }
   }
 
-  // Polygons are fans until all vertices are known, which may come after them.
+  // Polygons are stored as fans until all vertices are known, since vertices may follow them.
   void cutPolygons() {
     std::vector<unsigned> ring;
     std::vector<glm::dvec3> corners;
@@ -149,7 +149,7 @@ class Builder {
   struct Polygon {
     std::size_t firstTriangle, corners;
   };
-  std::vector<Polygon> polygons_;  // of five corners or more
+  std::vector<Polygon> polygons_;  // with five or more corners
   std::uint64_t faces_ = 0;
   bool indexOutOfRange_ = false;
   ObjData data_;

@@ -10,7 +10,7 @@ bool isBlank(char c) { return c == ' ' || c == '\t'; }
 bool isLineEnd(char c) { return c == '\n' || c == '\r' || c == '\0'; }
 bool isWordEnd(char c) { return isBlank(c) || isLineEnd(c); }
 
-// Accepts texts by their grammar alone. Every loop stops at the string's closing NUL.
+// Accepts texts by their grammar alone. Every loop stops at the string's terminating NUL.
 class PlainScan {
  public:
   explicit PlainScan(const std::string& text) : at_(text.data()), end_(at_ + text.size()) {}
@@ -21,7 +21,7 @@ class PlainScan {
       if (!scanLine()) return std::nullopt;
       if (at_ < end_) ++at_;
     }
-    // Corners that name what the file does not have need a warning.
+    // Indices of elements that the file does not have need a warning.
     if ((namesUvs_ && counts_.uvs == 0) || (namesNormals_ && counts_.normals == 0))
       return std::nullopt;
     return counts_;
@@ -38,7 +38,7 @@ class PlainScan {
     return static_cast<std::size_t>(at_ - begin);
   }
 
-  // Goes to the end of the line.
+  // Moves to the end of the line; false if the line is not plain.
   bool scanLine() {
     if (at_[0] == 'v' && isBlank(at_[1])) {
       ++at_;
@@ -62,8 +62,8 @@ class PlainScan {
     return scanIgnored();
   }
 
-  // Empty lines, comments, and statements whose arguments do not matter. A backslash at the end may
-  // continue a line.
+  // Accepts empty lines, comments, and statements whose arguments do not matter, but no backslash
+  // at the end, which may continue a line.
   bool scanIgnored() {
     const char* begin = at_;
     while (!isLineEnd(*at_)) ++at_;
@@ -83,8 +83,9 @@ class PlainScan {
     return count >= min && count <= max;
   }
 
-  // Numbers that neither overflow nor lose all digits: at most 24 characters (the longest shortest
-  // form of a double), and exponents of two digits, or three of which the first is 0.
+  // Accepts numbers that neither overflow nor lose all digits: at most 24 characters (the length of
+  // the longest shortest form of a double), and exponents of two digits, or three of which the
+  // first is 0.
   bool scanNumber() {
     const char* begin = at_;
     if (*at_ == '+' || *at_ == '-') ++at_;
@@ -131,7 +132,8 @@ class PlainScan {
     return scanIndex() && isWordEnd(*at_);
   }
 
-  // Not 0, which tinyobjloader does not tell from a missing index, and within 32 bits.
+  // Accepts indices except 0, which tinyobjloader cannot distinguish from a missing index, within
+  // 32 bits.
   bool scanIndex() {
     if (*at_ == '-') ++at_;
     if (*at_ == '0') return false;

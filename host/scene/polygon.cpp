@@ -11,13 +11,13 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-/// Twice the area of a triangle, positive if it winds counterclockwise. `bound` is the rounding
-/// error that it may have (Shewchuk 1997, "Adaptive precision floating-point arithmetic", A).
-struct Turn {
+/// Twice the signed area of a triangle, positive if it winds counterclockwise, and a bound of its
+/// rounding error (Shewchuk 1997, "Adaptive precision floating-point arithmetic", A).
+struct SignedArea {
   double area, bound;
 };
 
-Turn turn(const dvec2& a, const dvec2& b, const dvec2& c) {
+SignedArea turn(const dvec2& a, const dvec2& b, const dvec2& c) {
   const double left = (a.x - c.x) * (b.y - c.y);
   const double right = (a.y - c.y) * (b.x - c.x);
   return {left - right, 3.4e-16 * (std::abs(left) + std::abs(right))};
@@ -40,14 +40,14 @@ std::vector<dvec3> scaled(const std::vector<dvec3>& corners) {
   return result;
 }
 
-/// The axis that the polygon's plane faces most, and the sign of its normal there. The normal is
+/// The axis closest to the polygon's normal, and the sign of the normal along it. The normal is
 /// Newell's, twice the area of the projections.
 std::pair<int, double> facing(const std::vector<dvec3>& corners) {
   dvec3 normal(0.0);
   for (std::size_t i = 0; i < corners.size(); ++i)
     normal += glm::cross(corners[i] - corners[0], corners[(i + 1) % corners.size()] - corners[0]);
   dvec3 size = glm::abs(normal);
-  // An eight may have no area: then the axis that it extends least along.
+  // A figure eight may have no area: then the axis of its smallest extent.
   if (normal == dvec3(0.0)) {
     dvec3 low(2.0), high(-2.0);
     for (const dvec3& p : corners) {
@@ -60,7 +60,8 @@ std::pair<int, double> facing(const std::vector<dvec3>& corners) {
   return {axis, normal[axis]};
 }
 
-/// The polygon projected along an axis, which keeps it simple or convex, winding counterclockwise.
+/// The polygon projected along an axis, winding counterclockwise. The projection of a simple or
+/// convex polygon is simple or convex.
 std::vector<dvec2> flattened(const std::vector<dvec3>& corners) {
   const std::vector<dvec3> points = scaled(corners);
   const auto [axis, sign] = facing(points);
@@ -73,10 +74,10 @@ std::vector<dvec2> flattened(const std::vector<dvec3>& corners) {
   return flat;
 }
 
-/// Whether no corner turns clockwise, nor any triangle of the fan, which it would in a star of
-/// {5/2}. What rounding may have made clockwise counts as straight.
+/// Whether no corner turns clockwise and no triangle of the fan winds clockwise, as it would in a
+/// star of {5/2}. Within the rounding error, a clockwise corner counts as straight.
 bool isConvex(const std::vector<dvec2>& p) {
-  const auto back = [](const Turn& t) { return !(t.area >= -t.bound); };
+  const auto back = [](const SignedArea& t) { return !(t.area >= -t.bound); };
   const std::size_t n = p.size();
   for (std::size_t i = 0; i < n; ++i)
     if (back(turn(p[i], p[(i + 1) % n], p[(i + 2) % n])) ||
@@ -85,7 +86,7 @@ bool isConvex(const std::vector<dvec2>& p) {
   return true;
 }
 
-/// Whether two of the edges cross between their ends. Edges that touch do not.
+/// Whether two edges cross in their interiors. Edges that touch do not.
 bool crosses(const std::vector<dvec2>& p) {
   struct Edge {
     dvec2 a, b;
@@ -111,12 +112,12 @@ bool crosses(const std::vector<dvec2>& p) {
   return false;
 }
 
-/// Cuts ears off a ring of corners. After one is off, only its neighbours may have become ears, as
-/// what remains is a part of what was there.
+/// Clips ears off a ring of corners. After a clip only its neighbours can have become ears, since
+/// the remaining polygon is a subset of the previous one.
 class EarClipping {
  public:
   explicit EarClipping(const std::vector<dvec2>& p)
-      : p_(p), previous_(p.size()), next_(p.size()), isDent_(p.size()) {
+      : p_(p), previous_(p.size()), next_(p.size()), isReflex_(p.size()) {
     const auto n = static_cast<unsigned>(p.size());
     for (unsigned i = 0; i < n; ++i) {
       previous_[i] = (i + n - 1) % n;
@@ -124,88 +125,91 @@ class EarClipping {
       untried_.push_back(i);
     }
     for (unsigned i = 0; i < n; ++i) {
-      isDent_[i] = !(areaAt(i) > 0.0);
-      if (isDent_[i]) dents_.push_back({p[i], i});
+      isReflex_[i] = !(areaAt(i) > 0.0);
+      if (isReflex_[i]) reflexCorners_.push_back({p[i], i});
     }
-    dentCount_ = dents_.size();
-    std::sort(dents_.begin(), dents_.end(),
-              [](const Dent& a, const Dent& b) { return a.place.x < b.place.x; });
+    reflexCount_ = reflexCorners_.size();
+    std::sort(reflexCorners_.begin(), reflexCorners_.end(),
+              [](const ReflexCorner& a, const ReflexCorner& b) { return a.place.x < b.place.x; });
   }
 
   std::vector<glm::uvec3> run() {
     while (triangles_.size() + 3 < p_.size()) {
       if (untried_.empty()) {
-        cut(lastResort());
+        clip(lastResort());
         continue;
       }
       const unsigned corner = untried_.front();
       untried_.pop_front();
-      if (isThere(corner) && isEar(corner)) cut(corner);
+      if (isRemaining(corner) && isEar(corner)) clip(corner);
     }
-    triangles_.emplace_back(previous_[there_], there_, next_[there_]);
+    triangles_.emplace_back(previous_[remaining_], remaining_, next_[remaining_]);
     return std::move(triangles_);
   }
 
  private:
-  struct Dent {
+  struct ReflexCorner {
     dvec2 place;
     unsigned corner;
   };
 
-  bool isThere(unsigned i) const { return next_[previous_[i]] == i; }
+  bool isRemaining(unsigned i) const { return next_[previous_[i]] == i; }
   double areaAt(unsigned i) const { return areaOf(p_[previous_[i]], p_[i], p_[next_[i]]); }
 
   bool isEar(unsigned i) const {
     const dvec2 &a = p_[previous_[i]], &b = p_[i], &c = p_[next_[i]];
     if (!(areaOf(a, b, c) > 0.0)) return false;
     const dvec2 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
-    auto dent = std::lower_bound(dents_.begin(), dents_.end(), low.x,
-                                 [](const Dent& d, double x) { return d.place.x < x; });
-    for (; dent != dents_.end() && dent->place.x <= high.x; ++dent) {
-      const dvec2& q = dent->place;
-      if (q.y < low.y || q.y > high.y || !isDent_[dent->corner]) continue;
+    auto reflex = std::lower_bound(reflexCorners_.begin(), reflexCorners_.end(), low.x,
+                                   [](const ReflexCorner& d, double x) { return d.place.x < x; });
+    for (; reflex != reflexCorners_.end() && reflex->place.x <= high.x; ++reflex) {
+      const dvec2& q = reflex->place;
+      if (q.y < low.y || q.y > high.y || !isReflex_[reflex->corner]) continue;
       if (q == a || q == b || q == c) continue;
       if (areaOf(a, b, q) >= 0.0 && areaOf(b, c, q) >= 0.0 && areaOf(c, a, q) >= 0.0) return false;
     }
     return true;
   }
 
-  /// Where no ear is left: a corner without area, or else, in a polygon that crosses itself, any.
+  /// The corner to clip if there is no ear: a corner without area, or else, in a self-intersecting
+  /// polygon, any.
   unsigned lastResort() const {
     for (const bool flat : {true, false})
-      for (unsigned i = next_[there_]; i != there_; i = next_[i])
+      for (unsigned i = next_[remaining_]; i != remaining_; i = next_[i])
         if (const double area = areaAt(i); flat ? area == 0.0 : area > 0.0) return i;
-    return there_;
+    return remaining_;
   }
 
-  void cut(unsigned i) {
+  void clip(unsigned i) {
     const unsigned a = previous_[i], c = next_[i];
     triangles_.emplace_back(a, i, c);
-    there_ = a;
+    remaining_ = a;
     next_[a] = c;
     previous_[c] = a;
-    fill(i);
+    markConvex(i);
     for (const unsigned side : {a, c}) {
-      if (areaAt(side) > 0.0) fill(side);
+      if (areaAt(side) > 0.0) markConvex(side);
       untried_.push_back(side);
     }
   }
 
-  void fill(unsigned corner) {
-    if (!isDent_[corner]) return;
-    isDent_[corner] = false;
-    if (2 * --dentCount_ > dents_.size()) return;
-    std::erase_if(dents_, [&](const Dent& dent) { return !isDent_[dent.corner]; });
+  void markConvex(unsigned corner) {
+    if (!isReflex_[corner]) return;
+    isReflex_[corner] = false;
+    if (2 * --reflexCount_ > reflexCorners_.size()) return;
+    std::erase_if(reflexCorners_,
+                  [&](const ReflexCorner& reflex) { return !isReflex_[reflex.corner]; });
   }
 
   const std::vector<dvec2>& p_;
-  std::vector<unsigned> previous_, next_;  // of those that are there
-  // Corners that do not stick out: no other can lie in an ear. Half of the list at least are.
-  std::vector<bool> isDent_;
-  std::vector<Dent> dents_;  // by x
-  std::size_t dentCount_ = 0;
+  std::vector<unsigned> previous_, next_;  // among the remaining corners
+  // Reflex and straight corners: only these can lie inside an ear. At least half of
+  // `reflexCorners_` are still in this state.
+  std::vector<bool> isReflex_;
+  std::vector<ReflexCorner> reflexCorners_;  // in order of x
+  std::size_t reflexCount_ = 0;
   std::deque<unsigned> untried_;
-  unsigned there_ = 0;  // a corner that is
+  unsigned remaining_ = 0;  // any remaining corner
   std::vector<glm::uvec3> triangles_;
 };
 

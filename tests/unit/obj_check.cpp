@@ -1,4 +1,4 @@
-// Errors of OBJ files that a lenient parser would take for something else.
+// Errors of OBJ files that a lenient parser would misread.
 #include <gtest/gtest.h>
 
 #include "scene/obj.h"

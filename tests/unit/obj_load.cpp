@@ -79,7 +79,7 @@ TEST(ObjLoad, MissingAttributesOfSomeCornersAreZero) {
   EXPECT_EQ(data.uvs[1], glm::dvec2(1));
 }
 
-TEST(ObjLoad, EmptyPartsAndPart0AreNotGiven) {
+TEST(ObjLoad, EmptyPartsAndPart0AreAbsent) {
   const std::string rest = "vt .25 .5\nvn 0 0 2\n";
   const auto bare = parsed(kPoints + rest + "f 1/ 2// 3/0\nf 1//0 2/0/0 3\n");
   EXPECT_EQ(bare.triangles, (Triangles{{0, 1, 2}, {0, 1, 2}}));
@@ -186,7 +186,7 @@ const std::vector<Text> kPlain = {
 };
 INSTANTIATE_TEST_SUITE_P(Texts, ObjPlain, testing::ValuesIn(kPlain), kName);
 
-// Texts that are right, but that tinyobjloader would read wrong, or that ask for a warning.
+// Valid texts that tinyobjloader would misread, or that need a warning.
 class ObjMisread : public testing::TestWithParam<Text> {};
 
 TEST_P(ObjMisread, IsCheckedFirst) {

@@ -1,4 +1,4 @@
-// Polygons to triangles: coverage against winding numbers.
+// Triangulation of polygons: coverage compared with winding numbers.
 #include "scene/polygon.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ double area(const dvec2& a, const dvec2& b, const dvec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// How often the outline goes round a point.
+// Winding number of the outline around a point.
 int winding(const std::vector<dvec2>& outline, const dvec2& q) {
   int turns = 0;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -37,8 +37,8 @@ std::vector<dvec3> flat(const std::vector<dvec2>& outline) {
   return corners;
 }
 
-// The number of `points` at random places in [0, side]^2 that triangles cover another number of
-// times than the outline goes round them.
+// How many of `points` random points in [0, side]^2 are covered by a number of triangles other than
+// their winding number.
 int wronglyCovered(const std::vector<dvec2>& outline, const Triangles& triangles, double side,
                    std::mt19937& random) {
   std::uniform_real_distribution<double> place(0.0, side);
@@ -53,7 +53,7 @@ int wronglyCovered(const std::vector<dvec2>& outline, const Triangles& triangles
   return wrong;
 }
 
-// A simple polygon through random points: crossings are undone until there is none (2-opt).
+// A simple polygon through random points: crossings are removed by 2-opt.
 std::vector<dvec2> randomOutline(std::mt19937& random, bool onGrid) {
   std::uniform_real_distribution<double> place(0.0, 12.0);
   std::vector<dvec2> p(5 + random() % 30);
@@ -79,7 +79,8 @@ std::vector<dvec2> randomOutline(std::mt19937& random, bool onGrid) {
   return p;
 }
 
-// Grids make corners that touch edges and other corners; the scales would over- and underflow.
+// Grids create corners that touch edges and other corners; the extreme scales would overflow and
+// underflow.
 TEST(Polygon, RandomOutlinesAreCoveredOnceInAnyPlaneAndScale) {
   std::mt19937 random(1);
   for (int i = 0; i < 400; ++i) {
@@ -123,7 +124,7 @@ TEST(Polygon, CrossingOutlinesAreFound) {
   const auto cut = obj::triangulate(flat(star));
   EXPECT_TRUE(cut.crossesItself);
   EXPECT_EQ(cut.triangles.size(), 3u);
-  // An eight has no area: no normal says in which plane it lies.
+  // A figure eight has no area, so its normal defines no plane.
   std::vector<dvec3> eight;
   for (const dvec2& p : {dvec2(0, 0), {1, 1}, {2, 0}, {2, 1}, {1, 0}, {0, 1}})
     eight.emplace_back(p.x, 7.0, p.y);
@@ -135,7 +136,7 @@ TEST(Polygon, OutlinesWithoutAreaAreCutToo) {
   EXPECT_EQ(obj::triangulate(flat({{0, 0}, {3, 3}, {1, 1}, {2, 2}, {4, 4}})).triangles.size(), 3u);
 }
 
-// A comb: half of the corners are dents, few of them near any one ear.
+// A comb: half of the corners are reflex, few of them near any one ear.
 TEST(Polygon, LargeOutlinesAreCutFast) {
   constexpr int kTeeth = 50000;
   std::vector<dvec2> comb = {{kTeeth, -1}, {kTeeth, 1}};
