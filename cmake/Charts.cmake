@@ -1,5 +1,5 @@
-# The target chart: speed against accuracy of two scenes, beside Mitsuba 3 where it is installed. It
-# takes some minutes and makes the pictures of the README.
+# The target chart: charts of error against time for two scenes, with Mitsuba 3 if it is installed.
+# It takes some minutes and writes the pictures of the README.
 set(LAVER_MITSUBA_PYTHON python3 CACHE STRING
   "Python in which Mitsuba 3 is installed, for charts (pip install mitsuba)")
 set(mitsuba "env ${LAVER_MITSUBA_PYTHON} tests/bench/mitsuba_peer.py --variant")

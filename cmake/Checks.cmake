@@ -1,11 +1,11 @@
-# What the presets asan, tidy, coverage and fuzz switch on. Nothing here touches a plain build.
+# Options of the presets asan, tidy, coverage and fuzz. Plain builds are not affected.
 option(LAVER_SANITIZE "AddressSanitizer and UndefinedBehaviorSanitizer, the first finding ends it" OFF)
 option(LAVER_TIDY "clang-tidy on every file that is compiled, clang-format on all" OFF)
 option(LAVER_COVERAGE "Count the lines that run, and add the target coverage" OFF)
 option(LAVER_FUZZ "Link the fuzz targets with libFuzzer (clang only)" OFF)
 
 if(LAVER_SANITIZE OR LAVER_FUZZ)
-  # Casts of doubles that the integer cannot hold are no part of `undefined`.
+  # `undefined` does not include casts of doubles out of the integer's range.
   set(sanitizers -fsanitize=address,undefined,float-cast-overflow)
   add_compile_options(${sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_compile_definitions(_GLIBCXX_ASSERTIONS)

@@ -1,4 +1,4 @@
-# cmake -DROOT=DIR -DOUTPUT=FILE.cpp -P: the texts of ROOT's .glsl and .h files as laver::shaderText().
+# cmake -DROOT=DIR -DOUTPUT=FILE.cpp -P: embeds the .glsl and .h files of ROOT as laver::shaderText().
 file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/*.glsl ${ROOT}/*.h)
 list(SORT files)
 set(entries "")

@@ -1,4 +1,4 @@
-# scenes/meshes/: what scenes/make_meshes.cpp writes, and the bunny of Debian's glmark2-data.
+# scenes/meshes/: the meshes of scenes/make_meshes.cpp, and the bunny of Debian's glmark2-data.
 find_file(LAVER_BUNNY bunny.obj PATHS /usr/share/glmark2/models NO_DEFAULT_PATH)
 if(NOT LAVER_BUNNY)
   message(FATAL_ERROR "The ready scenes need /usr/share/glmark2/models/bunny.obj: "
@@ -26,7 +26,7 @@ add_custom_command(
   COMMENT "Copying the bunny of the ready scenes"
   VERBATIM)
 
-# scenes/images/: what scenes/make_images.cpp writes.
+# scenes/images/: the images of scenes/make_images.cpp.
 set(LAVER_IMAGE_FOLDER ${CMAKE_SOURCE_DIR}/scenes/images)
 set(LAVER_MADE_IMAGES ${LAVER_IMAGE_FOLDER}/waves.png ${LAVER_IMAGE_FOLDER}/sky.exr)
 add_executable(make_images scenes/make_images.cpp)

@@ -4,7 +4,7 @@ install(TARGETS laver)
 install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)  # Debian's name for it
 
-# The ready scenes whose meshes laver makes; the bunny is glmark2-data's.
+# The ready scenes without the bunny, which comes from glmark2-data.
 file(GLOB LAVER_OWN_SCENES CONFIGURE_DEPENDS scenes/*.xml)
 list(FILTER LAVER_OWN_SCENES EXCLUDE REGEX bunny)
 install(FILES ${LAVER_OWN_SCENES} DESTINATION ${CMAKE_INSTALL_DATADIR}/laver/scenes)
@@ -23,7 +23,7 @@ is from the truth.")
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# The loader is opened at run time, so dpkg-shlibdeps does not see it; the driver it finds itself.
+# The Vulkan loader is opened at run time, so dpkg-shlibdeps does not detect it.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS libvulkan1)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS mesa-vulkan-drivers)
 include(CPack)

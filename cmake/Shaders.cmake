@@ -1,5 +1,5 @@
-# The texts of shaders/ in the binary, and the commonest kernels, composed and compiled by laver's own
-# code when it is built (host/kernels/).
+# Embeds the texts of shaders/ in the binary, and the common kernels, which laver's own code
+# (host/kernels/) composes and compiles during the build.
 find_package(glslang CONFIG REQUIRED)
 find_library(LAVER_SPIRV_TOOLS_OPT SPIRV-Tools-opt REQUIRED)
 find_library(LAVER_SPIRV_TOOLS SPIRV-Tools REQUIRED)
@@ -19,7 +19,7 @@ add_custom_command(OUTPUT ${LAVER_SHADER_TEXTS_CPP}
   DEPENDS ${LAVER_SHADER_TEXTS} ${CMAKE_CURRENT_SOURCE_DIR}/cmake/EmbedTexts.cmake
   COMMENT "Texts of the shaders" VERBATIM)
 
-# laver_embed_kernels(LIBRARY): what links LIBRARY has the common kernels too.
+# laver_embed_kernels(LIBRARY): adds the common kernels to LIBRARY.
 function(laver_embed_kernels library)
   add_executable(embed_kernels host/kernels/embed.cpp)
   target_link_libraries(embed_kernels PRIVATE ${library} laver_warnings)

@@ -1,5 +1,5 @@
-# The window of --gui and `laver view`, where GLFW and Dear ImGui are there. It sees nothing of
-# Vulkan: of laver_host it takes what lies in host/show/ and host/image/ when it is linked.
+# The window of --gui and `laver view`, if GLFW and Dear ImGui are installed. It does not depend on
+# Vulkan: of laver_base it uses only host/show/ and host/image/.
 find_package(glfw3 3.3 QUIET)
 find_package(OpenGL QUIET)
 find_path(LAVER_IMGUI_INCLUDE backends/imgui_impl_opengl3.h PATH_SUFFIXES imgui)

@@ -36,7 +36,7 @@ installed() {
   [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
 }
 
-# Leaves apt alone, and so the network too, when nothing is missing.
+# Uses apt, and thus the network, only if a package is missing.
 installPackages() {
   command -v dpkg-query >/dev/null || fail 'this is no Debian system; see README.md for what laver needs'
   missing=''
@@ -51,7 +51,7 @@ installPackages() {
   apt-get install -y --no-install-recommends $missing
 }
 
-# Builds the targets named.
+# Builds the given targets.
 buildLaver() {
   installPackages
   cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release
@@ -75,7 +75,7 @@ testPreset() {
   ctest --preset "$1" -j "$jobs"
 }
 
-# What the package holds must render without this tree.
+# The contents of the package must render without this tree.
 checkPackage() {
   buildPreset package
   rm -f build-package/*.deb
@@ -88,7 +88,7 @@ checkPackage() {
   dpkg-deb -I build-package/*.deb
 }
 
-# What a fuzzer adds to its seeds is kept in build-fuzz/, and so is a file that breaks it.
+# New inputs of a fuzzer and files that crash it are kept in build-fuzz/.
 fuzz() {
   found=build-fuzz/found-$1
   mkdir -p "$found"
@@ -112,7 +112,7 @@ check() {
   echo 'All checks passed.'
 }
 
-# One job for each processor, but no more than one for each 1.5 GiB of memory that a compiler takes.
+# One job per processor, but at most one per 1.5 GiB of memory, the need of a compiler.
 countJobs() {
   jobs=$(nproc)
   memory=$(awk '/^MemAvailable:/ { print int($2 / 1572864) }' /proc/meminfo 2>/dev/null || :)
@@ -126,7 +126,7 @@ case $1 in
   *) usage ;;
 esac
 countJobs
-# Mesa complains where this is not set; a private empty folder will do.
+# Mesa warns if this is not set; a private empty folder suffices.
 if [ -z "${XDG_RUNTIME_DIR:-}" ]; then
   XDG_RUNTIME_DIR=$(mktemp -d)
   export XDG_RUNTIME_DIR

@@ -1,10 +1,10 @@
 #!/bin/sh
-# bootstrap.sh in a bare Debian of another release, as root:
+# Runs bootstrap.sh in a bare Debian of another release, as root:
 #   sh tests/platforms.sh [SUITE [COMMAND]]
-# SUITE is a Debian release (trixie), COMMAND one of bootstrap.sh's (test). What is tested is the last
-# commit. The root folder build-platforms/SUITE is made by debootstrap, and kept: the next run builds
-# what has changed. apt alone uses the network, and the Debian mirror that apt uses here, unless
-# LAVER_MIRROR names another.
+# SUITE is a Debian release (trixie), COMMAND a command of bootstrap.sh (test). The last commit is
+# tested. debootstrap installs the root folder build-platforms/SUITE, which is kept for incremental
+# builds. Only apt uses the network, with the Debian mirror of this system unless LAVER_MIRROR names
+# another.
 set -eu
 
 suite=${1:-trixie}
@@ -23,7 +23,7 @@ mirrorOfApt() {
     'Label: Debian' | sort -u | head -n 1
 }
 
-# A root that is half made lacks the mark, and is made anew.
+# An incomplete root has no mark and is installed again.
 makeRoot() {
   [ ! -e "$root/platform-ready" ] || return 0
   command -v debootstrap >/dev/null || fail 'the package debootstrap is missing'
@@ -35,7 +35,7 @@ makeRoot() {
   touch "$root/platform-ready"
 }
 
-# Files that have not changed keep their times, and so their objects.
+# Unchanged files keep their times, so that they are not compiled again.
 copyTree() {
   copy=$root/laver
   [ -d "$copy/.git" ] || git init -q "$copy"
@@ -44,7 +44,7 @@ copyTree() {
   git -C "$copy" log -1 --format="Debian $suite: bootstrap.sh $command of %h, %s"
 }
 
-# /dev and /proc are mounted in a namespace of their own, and so gone when the command ends.
+# /dev and /proc are mounted in a separate namespace, which ends with the command.
 runBootstrap() {
   # shellcheck disable=SC2016 # for the inner shell
   unshare --mount sh -eu -c '

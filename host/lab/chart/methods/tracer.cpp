@@ -80,7 +80,7 @@ MethodTracer::MethodTracer(const std::string& device, const Bvh& bvh)
     : impl_(std::make_unique<Impl>(device, bvh)) {}
 MethodTracer::~MethodTracer() = default;
 
-void MethodTracer::take(const Method& method) {
+void MethodTracer::use(const Method& method) {
   const std::string text = fmt::format(
       "#version 460\n#extension GL_GOOGLE_cpp_style_line_directive : require\n"
       "#extension GL_EXT_control_flow_attributes : require\n"
