@@ -17,5 +17,5 @@ foreach(scene bunny-whitted cornell-two-lights)
 endforeach()
 add_custom_target(chart ${charts}
   WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}
-  COMMENT "Charting; leave the machine alone" USES_TERMINAL VERBATIM)
+  COMMENT "Charting; run nothing else meanwhile" USES_TERMINAL VERBATIM)
 add_dependencies(chart laver laver_meshes)

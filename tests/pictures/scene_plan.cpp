@@ -98,14 +98,14 @@ TEST(ScenePlan, ListsTexturesBackgroundAndLayers) {
   EXPECT_EQ(line(plan, "background").choice, "black");
   scene.environment = Environment();
   plan = planScene(scene, {}, {}, testDeviceInfo());
-  EXPECT_EQ(line(plan, "camera rays").why, "what they miss shows");
+  EXPECT_EQ(line(plan, "camera rays").why, "misses are visible");
   EXPECT_EQ(line(plan, "background").choice, "one radiance");
   EXPECT_EQ(line(plan, "vertex normals").choice, "left out");
   RenderOptions options;
   options.layers = {&layers::albedo, &layers::normals};
   plan = planScene(scene, options, {}, testDeviceInfo());
   EXPECT_EQ(plan.figures["pictures"], 3);
-  EXPECT_EQ(line(plan, "camera rays").why, "what they hit shows");
+  EXPECT_EQ(line(plan, "camera rays").why, "hits are visible");
   EXPECT_EQ(line(plan, "textures").choice, "checker");
   EXPECT_EQ(line(plan, "images").choice, "left out");
   EXPECT_NE(line(plan, "vertex normals").choice, "left out");
