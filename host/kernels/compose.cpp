@@ -194,8 +194,7 @@ std::string traceText(const TraceKey& key, std::string_view main) {
   text.include(packet ? "film/stored_longs.glsl" : "film/stored_floats.glsl");
   text.include("resources.glsl");
   text.include("trace/rays.glsl");
-  if (key.bounces)
-    text.include(key.lockstep ? "trace/any_of_subgroup.glsl" : "trace/any_of_lane.glsl");
+  text.include(packet || key.lockstep ? "trace/any_of_subgroup.glsl" : "trace/any_of_lane.glsl");
   text.include(packet ? "trace/packet.glsl" : "trace/lane.glsl");
   text.append(main);
   return expandIncludes(text.str(), "kernel");

@@ -38,7 +38,7 @@ Source drawSource(float number) {
     low = above ? low + middle + 1u : low;
     count = above ? count - middle - 1u : middle;
   } while (count > 0u);
-  const uvec4 texel = texelFetch(sourceTexels, int(min(low, params.sources - 1u)));
+  const uvec4 texel = texelFetch(sourceTexels, int(low < params.sources ? low : params.sources - 1u));
   return Source(texel.x, texel.y, uintBitsToFloat(texel.z), uintBitsToFloat(texel.w));
 }
 
@@ -81,7 +81,8 @@ SourcePoint pointOn(uint slot, vec2 numbers) {
   p.area = 0.5 * sqrt(dotProduct(n, n));
   p.normal = p.geometric;
   // As of a hit (shared/point.h).
-  const vec3 largest = max(abs(a), max(abs(b), abs(c)));
+  const vec3 largest =
+      vec3(largestOf(a.x, b.x, c.x), largestOf(a.y, b.y, c.y), largestOf(a.z, b.z, c.z));
   p.offset = 4.7683716e-7 * dotProduct(abs(p.geometric), largest);
   if (HAS_NORMALS) {
     if (attributes.y != NO_NORMAL) {

@@ -22,8 +22,8 @@ const uint BOUNCE_DIMENSIONS = 3u;
 
 float survival(vec3 throughput, uint bounce) {
   if (ONLY_DISCRETE) return WHITTED_SURVIVAL;
-  const float largest = max(throughput.r, max(throughput.g, throughput.b));
-  return bounce < CERTAIN_BOUNCES ? 1.0 : min(largest, MAX_SURVIVAL);
+  const float largest = greater(throughput.r, greater(throughput.g, throughput.b));
+  return bounce < CERTAIN_BOUNCES ? 1.0 : lesser(largest, MAX_SURVIVAL);
 }
 
 // The weight of emission that a ray finds, by the densities per solid angle with which its direction was

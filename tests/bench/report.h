@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/numeric.h"
 #include "lab/chart/numbers.h"
 
 namespace laver::bench {
