@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "core/lfs_pointer.h"
+#include "scene/encoding.h"
 #include "scene/mesh_files.h"
 #include "scene/node.h"
 #include "scene/reader.h"
@@ -28,6 +29,7 @@ namespace {
 LoadedScene load(const std::string& file, const SceneOverrides& overrides) {
   xml::FileText read = xml::readFile(file);
   if (isLfsPointer(read.text)) read.problem = kLfsPointer;
+  if (read.problem.empty()) read = xml::utf8Of(std::move(read.text));
   if (!read.problem.empty()) {
     throw Error(ExitCode::Scene, fmt::format("{}: error: {}", file, read.problem));
   }

@@ -75,7 +75,6 @@ void loadMeshes(const TextSource& source, Draft& draft, Diagnostics& diagnostics
     for (std::size_t i = begin; i < end; ++i) files[i].loaded = obj::load(files[i].path);
   });
   for (const MeshFile& file : files) report(file, diagnostics);
-  if (diagnostics.errorCount() > 0) return;
 
   std::vector<Mesh>& meshes = draft.scene.meshes;
   meshes.resize(draft.meshes.size());
@@ -83,7 +82,7 @@ void loadMeshes(const TextSource& source, Draft& draft, Diagnostics& diagnostics
   parallelFor(meshes.size(), 1, 0, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const MeshDraft& from = draft.meshes[i];
-      if (!from.sphere) {
+      if (fileOf[i] >= 0) {
         const obj::ObjData& data = files[static_cast<std::size_t>(fileOf[i])].loaded.data;
         std::optional<Mesh> mesh = obj::toWorld(data, from.toWorld);
         if (!mesh) continue;

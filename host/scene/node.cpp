@@ -62,14 +62,14 @@ bool checkDepth(pugi::xml_node root, const TextSource& source, Diagnostics& diag
   return true;
 }
 
-bool checkEncoding(const TextSource& source, Diagnostics& diagnostics) {
+bool checkText(const TextSource& source, Diagnostics& diagnostics) {
   const std::string& text = source.text();
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-    diagnostics.error(0, "this is UTF-16 or UTF-32, expected UTF-8");
-  } else if (const std::size_t nul = text.find('\0'); nul != std::string::npos) {
+  if (const std::size_t nul = text.find('\0'); nul != std::string::npos) {
     diagnostics.error(nul, "a NUL byte, expected an XML text");
   } else if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
     diagnostics.error(0, "the file is empty, expected <scene>");
+  } else if (text.find("WorldBegin") < text.find('<')) {
+    diagnostics.error(0, "this looks like a scene of pbrt, expected one of Nori, in XML");
   } else {
     return true;
   }
@@ -113,7 +113,7 @@ const char* requireAttribute(pugi::xml_node node, const char* name, const TextSo
 
 pugi::xml_node parseDocument(const TextSource& source, pugi::xml_document& document,
                              Diagnostics& diagnostics) {
-  if (!checkEncoding(source, diagnostics)) return {};
+  if (!checkText(source, diagnostics)) return {};
   const std::string& text = source.text();
   // Parsed as a fragment, so that text outside of the root is kept and can be reported.
   const auto result = document.load_buffer(

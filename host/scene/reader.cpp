@@ -13,6 +13,14 @@ namespace {
 
 const ObjectRule kScene{"scene", "", {}, nullptr};
 
+/// Whether a tag holds, at any depth, what every picture needs.
+bool holdsNeeded(pugi::xml_node node) {
+  return static_cast<bool>(node.find_node([](pugi::xml_node child) {
+    const TagRule* rule = findTag(child.name());
+    return rule != nullptr && rule->need == Need::Always;
+  }));
+}
+
 }  // namespace
 
 void Reader::findIntegrator(pugi::xml_node root) {
@@ -24,6 +32,7 @@ void Reader::findIntegrator(pugi::xml_node root) {
   } else {
     integrator_ = userIntegrator(userFilePath(type));
   }
+  draft_.integratorKnown = integrator_.has_value();
   if (integrator_) draft_.scene.integrator = *integrator_;
   if (!integrator_ && !root.child("integrator")) {
     diagnostics_.error(at(root), fmt::format("<scene> needs an <integrator>: expected type {}",
@@ -34,6 +43,7 @@ void Reader::findIntegrator(pugi::xml_node root) {
 void Reader::readScene(pugi::xml_node root) {
   findIntegrator(root);
   checkAttributes(root, {}, source_, diagnostics_);
+  checkDialect(root);
   Properties none(kScene, at(root), diagnostics_);
   readChildren(root, &none, "scene");
   if (!root.child("camera")) buildDefault("camera", knownTypes("camera").front(), at(root));
@@ -87,7 +97,7 @@ void Reader::readChildren(pugi::xml_node node, Properties* properties, std::stri
     if (const TagRule* rule = findTag(child.name())) {
       readObject(child, *rule, properties->rule());
     } else {
-      readUnknownTag(child);
+      readUnknownTag(child, properties->rule().tag);
     }
   }
 }
@@ -108,11 +118,9 @@ void Reader::readProperty(pugi::xml_node node, PropertyType type, Properties& pr
   if (index == rule.properties.size()) {
     std::vector<std::string_view> names;
     for (const PropertyRow& property : rule.properties) names.emplace_back(property.name);
-    const std::string_view hint = nearest(name, names);
     diagnostics_.warning(
-        at(node), fmt::format("{} has no property {}: ignored; {}", nameOf(rule), inQuotes(name),
-                              hint.empty() ? std::string("it takes none")
-                                           : fmt::format("the nearest is \"{}\"", hint)));
+        at(node), fmt::format("{} has no property {}: ignored; it takes {}", nameOf(rule),
+                              inQuotes(name), names.empty() ? "none" : expectedNames(name, names)));
     return;
   }
   if (properties.wasGiven(index)) {
@@ -167,10 +175,7 @@ bool Reader::checkPlace(pugi::xml_node node, const TagRule& rule, std::string_vi
 }
 
 void Reader::missing(pugi::xml_node node, Need need, const std::string& message) {
-  const bool needed = need == Need::Always ||
-                      (need == Need::Shading &&
-                       (draft_.overrides.shading || (integrator_ && shades(*integrator_->row))));
-  if (needed) {
+  if (need == Need::Always || (need == Need::Shading && needsShading(draft_))) {
     diagnostics_.error(at(node), message);
   } else {
     const std::string who =
@@ -234,18 +239,33 @@ void Reader::readObject(pugi::xml_node node, const TagRule& rule, const ObjectRu
           fmt::format("laver has no {} of type {}: {}", rule.tag, inQuotes(type), known));
 }
 
-// A tag with a type is an object of another dialect, unless it looks like a misspelt one of
-// laver's.
-void Reader::readUnknownTag(pugi::xml_node node) {
+// A tag with a type is an object of somebody's dialect, unless it reads like one of laver's own. It
+// may be geometry or a camera where those stand, or hold them.
+void Reader::readUnknownTag(pugi::xml_node node, std::string_view parent) {
   const std::string_view tag = node.name();
   const std::string_view hint = nearest(tag, knownTags());
-  const std::string message = fmt::format("unknown tag <{}>: the nearest is <{}>", tag, hint);
+  const std::string message =
+      fmt::format("unknown tag <{}>: {}", tag,
+                  hint.empty() ? "expected " + expectedNames(tag, knownTags())
+                               : fmt::format("the nearest is <{}>", hint));
   if (!node.attribute("type")) {
     diagnostics_.error(at(node), message);
     return;
   }
-  const TagRule* meant = looksLikeTypo(tag, hint) ? findTag(hint) : nullptr;
-  missing(node, meant ? meant->need : Need::Shading, message);
+  const bool geometry = parent == "scene" || parent == "camera" || holdsNeeded(node);
+  const TagRule* meant = findTag(hint);
+  missing(node, meant ? meant->need : geometry ? Need::Always : Need::Shading, message);
+}
+
+// Mitsuba's language has the same ancestor; its tags would all be unknown ones.
+void Reader::checkDialect(pugi::xml_node root) {
+  for (const char* tag : {"sensor", "shape", "default", "include"})
+    if (root.child(tag)) {
+      diagnostics_.error(at(root), fmt::format("this looks like a scene of Mitsuba, as it holds "
+                                               "<{}>: expected one of Nori",
+                                               tag));
+      return;
+    }
 }
 
 }  // namespace laver::xml

@@ -24,7 +24,8 @@ class Reader {
   bool readUserIntegrator(pugi::xml_node node, const char* type);
   bool readUserBsdf(pugi::xml_node node, const char* type, const ObjectRule& parent);
   void addProperties(pugi::xml_node node, UserBsdf& user);
-  void readUnknownTag(pugi::xml_node node);
+  void readUnknownTag(pugi::xml_node node, std::string_view parent);
+  void checkDialect(pugi::xml_node root);
   bool checkPlace(pugi::xml_node node, const TagRule& rule, std::string_view parent);
   bool checkTexture(pugi::xml_node node, const ObjectRule& parent);
   void missing(pugi::xml_node node, Need need, const std::string& message);

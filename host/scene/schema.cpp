@@ -94,7 +94,7 @@ std::vector<std::string_view> knownTags() {
 }
 
 bool needsShading(const Draft& draft) {
-  return draft.overrides.shading || shades(*draft.scene.integrator.row);
+  return draft.overrides.shading || !draft.integratorKnown || shades(*draft.scene.integrator.row);
 }
 
 }  // namespace laver::xml

@@ -35,6 +35,7 @@ struct Draft {
   std::vector<PointLight> meshLights;  ///< lights inside of meshes, which follow the scene's own
   std::size_t environmentOffset = 0;   ///< of its tag
   std::map<std::string, std::shared_ptr<UserBsdf>> userBsdfs{};  ///< by file
+  bool integratorKnown = false;                                  ///< laver has it
 };
 
 /// An object that laver supports: its properties, and the function that adds it to the scene.
@@ -100,7 +101,8 @@ std::vector<std::string_view> knownOperations();
 /// All tags: objects, properties and transform operations.
 std::vector<std::string_view> knownTags();
 
-/// Whether any picture of the render depends on materials, lights or the background.
+/// Whether something that is rendered of the scene depends on materials, lights or the background,
+/// or may: an integrator that laver lacks hides no other error.
 bool needsShading(const Draft& draft);
 
 }  // namespace laver::xml

@@ -8,7 +8,15 @@
 namespace laver::xml {
 namespace {
 constexpr std::size_t kMaxLength = 64;
+
+std::string lowerCase(std::string_view name) {
+  std::string lower(name.substr(0, kMaxLength));
+  for (char& c : lower)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return lower;
 }
+
+}  // namespace
 
 std::size_t editDistance(std::string_view a, std::string_view b) {
   a = a.substr(0, kMaxLength);
@@ -33,19 +41,16 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 
 std::string_view nearest(std::string_view name, const std::vector<std::string_view>& candidates) {
   std::string_view best;
-  std::size_t bestDistance = 2 * kMaxLength;
+  std::size_t bestDistance = 3;
+  const std::string lower = lowerCase(name);
   for (const std::string_view candidate : candidates) {
-    const std::size_t distance = editDistance(name, candidate);
-    if (distance < bestDistance) {
+    const std::size_t distance = editDistance(lower, lowerCase(candidate));
+    if (distance < bestDistance && distance * 3 <= std::max(name.size(), candidate.size())) {
       bestDistance = distance;
       best = candidate;
     }
   }
   return best;
-}
-
-bool looksLikeTypo(std::string_view name, std::string_view known) {
-  return editDistance(name, known) * 3 <= std::max(name.size(), known.size());
 }
 
 std::string expectedNames(std::string_view name, const std::vector<std::string_view>& candidates) {
@@ -54,8 +59,8 @@ std::string expectedNames(std::string_view name, const std::vector<std::string_v
     if (i > 0) list += i + 1 == candidates.size() ? " or " : ", ";
     list += fmt::format("\"{}\"", candidates[i]);
   }
-  if (candidates.size() > 1 && !name.empty())
-    list += fmt::format(" (nearest: \"{}\")", nearest(name, candidates));
+  const std::string_view hint = nearest(name, candidates);
+  if (candidates.size() > 1 && !hint.empty()) list += fmt::format(" (nearest: \"{}\")", hint);
   return list;
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "fuzz/fuzz.h"
+#include "scene/encoding.h"
 #include "scene/mesh_files.h"
 #include "scene/reader.h"
 
@@ -43,8 +44,10 @@ void checkLines(std::istream&& lines) {
   }
 }
 
-void load(std::string text) {
-  const xml::TextSource source(kFolder + "scene.xml", std::move(text));
+void load(std::string bytes) {
+  xml::FileText text = xml::utf8Of(std::move(bytes));
+  if (!text.problem.empty()) return;
+  const xml::TextSource source(kFolder + "scene.xml", std::move(text.text));
   const SceneOverrides none;
   xml::Diagnostics diagnostics(source);
   xml::Draft draft = xml::readDraft(source, none, diagnostics);

@@ -1,4 +1,6 @@
 // Collection and positions of errors.
+#include "scene/schema.h"
+#include "scene/suggest.h"
 #include "support/scene_files.h"
 
 namespace laver::test {
@@ -26,6 +28,22 @@ TEST_F(SceneErrorList, AllOfAFileInItsOrder) {
       "\"direct\", \"direct_ems\", \"direct_mats\", \"direct_mis\", \"path_ems\", \"path_mats\" or "
       "\"path_mis\" (nearest: "
       "\"normals\"); there is no file nomals.glsl next to the scene either");
+}
+
+TEST_F(SceneErrorList, AnUnknownIntegratorHidesNoOther) {
+  files_.write("t.obj", kTriangle);
+  const std::string errors =
+      files_.errors(scene(mesh("\n<bsdf type=\"disney\"/>") + "\n<emitter type=\"sky\"/>\n" +
+                              mesh("<bsdf type=\"diffuse\">\n<texture type=\"bitmap\" "
+                                   "name=\"albedo\"><string name=\"filename\" value=\"no.png\"/>"
+                                   "</texture></bsdf>") +
+                              "\n" +
+                              mesh("<transform name=\"toWorld\"><matrix value=\"1 0 0 0, 0 1 0 0, "
+                                   "0 0 1 0, 1 0 0 -1\"/></transform>"),
+                          "vol_path"));
+  for (const char* place : {"f.xml:1:9: error: laver has no integrator", "f.xml:3:2: error: ",
+                            "f.xml:4:2: error: ", "f.xml:6:2: error: ", "f.xml:7:2: error: "})
+    EXPECT_NE(errors.find(place), std::string::npos) << place << "\n" << errors;
 }
 
 TEST_F(SceneErrorList, FileThatIsNotThereOrAFolder) {
@@ -62,7 +80,7 @@ TEST_F(SceneErrorList, ColumnsCountCharactersNotBytes) {
   EXPECT_EQ(
       files_.errors(
           "<scene><!-- \xC3\xA4\xC3\xB6\xC3\xBC --><integrator type=\"normals\"/><x/></scene>"),
-      "f.xml:1:49: error: unknown tag <x>: the nearest is <mesh>");
+      "f.xml:1:49: error: unknown tag <x>: expected " + xml::expectedNames("", xml::knownTags()));
 }
 
 TEST_F(SceneErrorList, LinesEndWithLfCrLfOrCr) {

@@ -24,14 +24,14 @@ TEST_F(SceneLacking, UnsupportedObjectsThatTheIntegratorIgnoresAreWarnings) {
       "f.xml:2:2: warning: laver has no medium of type \"homogeneous\": it has none" + tail +
           "\nf.xml:3:2: warning: laver has no test of type \"ttest\": it has none" + tail +
           "\nf.xml:4:2: warning: laver has no emitter of type \"sky\": expected \"pointlight\", "
-          "\"point\", \"area\", \"environment\", \"envmap\", \"constant\" or \"distantdisk\" "
-          "(nearest: \"area\")" +
+          "\"point\", \"area\", \"environment\", \"envmap\", \"constant\" or \"distantdisk\"" +
           tail + "\nf.xml:5:58: warning: laver has no bsdf of type \"disney\": expected " +
           xml::expectedNames("disney", xml::knownTypes("bsdf")) +
           "; there is no file disney.glsl next to the scene either" + tail +
-          "\nf.xml:6:2: warning: unknown tag <subsurface>: the nearest is <bsdf>" + tail +
+          "\nf.xml:6:2: warning: unknown tag <subsurface>: expected " +
+          xml::expectedNames("", xml::knownTags()) + tail +
           "\nf.xml:7:2: warning: laver has no texture of type \"perlin\": expected \"checker\", "
-          "\"textmap\", \"image_texture\" or \"bitmap\" (nearest: \"checker\")" +
+          "\"textmap\", \"image_texture\" or \"bitmap\"" +
           tail);
 }
 

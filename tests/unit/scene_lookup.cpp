@@ -127,8 +127,8 @@ TEST(SceneOverride, IntegratorMakesAnotherAWarningAndLightsUnneeded) {
             "f.xml:1:9: warning: laver has no integrator of type \"vol_path\": expected "
             "\"normals\", \"direct_whitted\", \"depth\", \"av\", \"ao\", \"geometric_normals\", "
             "\"whitted\", \"direct\", \"direct_ems\", \"direct_mats\", \"direct_mis\", "
-            "\"path_ems\", \"path_mats\" or \"path_mis\" "
-            "(nearest: \"depth\"); there is no file vol_path.glsl next to the scene either; "
+            "\"path_ems\", \"path_mats\" or \"path_mis\"; there is no file vol_path.glsl next to "
+            "the scene either; "
             "ignored, "
             "integrator \"normals\" does not need it\n"
             "f.xml:3:2: warning: laver has no bsdf of type \"disney\": expected " +

@@ -30,10 +30,9 @@ TEST(SceneSphere, NeedsARadiusAboveZeroAndTakesNoTransform) {
   EXPECT_EQ(
       files.errors(scene("<mesh type=\"sphere\"><float name=\"radius\" value=\"-1\"/></mesh>")),
       "f.xml:2:22: error: radius must be more than 0, found -1");
-  EXPECT_EQ(
-      files.warnings(scene("<mesh type=\"sphere\"><transform name=\"toWorld\"/></mesh>")),
-      "f.xml:2:22: warning: mesh \"sphere\" has no property \"toWorld\": ignored; the nearest "
-      "is \"center\"");
+  EXPECT_EQ(files.warnings(scene("<mesh type=\"sphere\"><transform name=\"toWorld\"/></mesh>")),
+            "f.xml:2:22: warning: mesh \"sphere\" has no property \"toWorld\": ignored; it takes "
+            "\"center\" or \"radius\"");
 }
 
 /// A sphere under a light, seen from above; a square far below moves the centre of the meshes.

@@ -61,6 +61,9 @@ TEST(SceneNames, EditDistance) {
 TEST(SceneNames, Nearest) {
   EXPECT_EQ(xml::nearest("hight", {"width", "height"}), "height");
   EXPECT_EQ(xml::nearest("a", {}), "");
+  EXPECT_EQ(xml::nearest("FLOAT", {"mesh", "float"}), "float");
+  EXPECT_EQ(xml::nearest("path_mis", {"normals", "depth"}), "");
+  EXPECT_EQ(xml::nearest("x", {"ao", "y"}), "") << "all of it would be a slip";
   EXPECT_EQ(xml::expectedNames("x", {"one"}), "\"one\"");
 }
 

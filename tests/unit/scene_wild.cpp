@@ -1,5 +1,7 @@
 // One scene for each way in which published scenes are written, and the harmless oddities that
 // cause warnings.
+#include "scene/schema.h"
+#include "scene/suggest.h"
 #include "support/scene_files.h"
 
 namespace laver::test {
@@ -154,7 +156,7 @@ TEST_F(SceneWild, OtherExtraAttributesAreWarnings) {
                             "vaule=\"4\"/></camera></scene>"),
             "f.xml:1:2: warning: <scene> takes no attribute \"version\": ignored\n"
             "f.xml:2:2: warning: <integrator> takes no attribute \"id\": ignored; expected "
-            "\"type\" or \"name\" (nearest: \"type\")\n"
+            "\"type\" or \"name\"\n"
             "f.xml:3:29: warning: <float> takes no attribute \"vaule\": ignored; expected \"name\" "
             "or \"value\" (nearest: \"value\")");
 }
@@ -205,10 +207,86 @@ TEST_F(SceneWild, UnknownAndDuplicatePropertiesAreWarnings) {
       "<camera type=\"perspective\">\n<float name=\"fow\" value=\"1\"/>\n"
       "<float name=\"fov\" value=\"20\"/>\n<float name=\"fov\" value=\"40\"/></camera>");
   EXPECT_EQ(files_.warnings(xml),
-            "f.xml:3:2: warning: camera \"perspective\" has no property \"fow\": ignored; the "
-            "nearest is \"fov\"\n"
+            "f.xml:3:2: warning: camera \"perspective\" has no property \"fow\": ignored; it takes "
+            "\"toWorld\", \"width\", \"height\", \"fov\", \"nearClip\" or \"farClip\" (nearest: "
+            "\"fov\")\n"
             "f.xml:5:2: warning: the property \"fov\" is given twice; the last one is used");
   EXPECT_EQ(files_.load(xml).scene.camera.fov, 40.0);
+}
+
+/// A text of ASCII in units of `bytes` bytes, the first or the last of which is the character.
+std::string wide(const std::string& text, std::size_t bytes, bool bigEndian) {
+  std::string result;
+  for (const char c : text) {
+    std::string unit(bytes, '\0');
+    (bigEndian ? unit.back() : unit.front()) = c;
+    result += unit;
+  }
+  return result;
+}
+
+TEST_F(SceneWild, DeclaredAndMarkedEncodings) {
+  files_.write("t\xC3\xAAte.obj", kTriangle);
+  const auto inEncoding = [](const std::string& name, const std::string& e) {
+    return "<?xml version=\"1.0\" encoding=\"" + name + "\"?>\n" +
+           scene("<mesh type=\"obj\"><string name=\"filename\" value=\"t" + e +
+                 "te.obj\"/></mesh>");
+  };
+  for (const char* name : {"ISO-8859-1", "latin1", "Windows-1252"})
+    EXPECT_EQ(files_.warnings(inEncoding(name, "\xEA")), "") << name;
+  for (const char* name : {"UTF-8", "utf-16", "us-ascii", "no-such-thing"})
+    EXPECT_EQ(files_.warnings(inEncoding(name, "&#xEA;")), "") << name;
+  for (const std::size_t bytes : {2U, 4U})
+    for (const bool bigEndian : {false, true}) {
+      const std::string text = wide(inEncoding("utf-16", "&#xEA;"), bytes, bigEndian);
+      std::string mark(bytes, '\0');
+      mark[bigEndian ? bytes - 2 : 0] = bigEndian ? '\xFE' : '\xFF';
+      mark[bigEndian ? bytes - 1 : 1] = bigEndian ? '\xFF' : '\xFE';
+      EXPECT_EQ(files_.warnings(text), "") << bytes << bigEndian;
+      EXPECT_EQ(files_.warnings(mark + text), "") << bytes << bigEndian;
+    }
+}
+
+TEST_F(SceneWild, PlacesOfErrorsCountCharactersOfAnyEncoding) {
+  const std::string xml =
+      "<?xml version=\"1.0\" encoding=\"latin1\"?>\n<scene><!-- \xE4\xF6 --><mesh/>";
+  EXPECT_NE(files_.errors(xml + "</scene>").find("f.xml:2:20: error: <mesh> needs"),
+            std::string::npos);
+  EXPECT_NE(files_.errors("\xFF\xFE" + wide("<scene>\n <mesh/></scene>", 2, false))
+                .find("f.xml:2:3: error: <mesh> needs"),
+            std::string::npos);
+}
+
+TEST_F(SceneWild, EncodingsThatDoNotFit) {
+  EXPECT_EQ(files_.errors("<?xml version='1.0' encoding='klingon'?><scene/>\xEA"),
+            "f.xml: error: its encoding \"klingon\" is not known, expected UTF-8");
+  EXPECT_EQ(files_.errors("<?xml version='1.0' encoding='SJIS'?>\xFF"),
+            "f.xml: error: its encoding is SJIS, but not at byte 37");
+}
+
+TEST_F(SceneWild, ScenesOfOtherRenderersAreNamed) {
+  EXPECT_EQ(files_.errors("<scene version=\"2.0.0\"><integrator type=\"depth\"/>\n"
+                          "<sensor type=\"perspective\"/>\n<shape type=\"sphere\"/></scene>"),
+            "f.xml:1:2: error: this looks like a scene of Mitsuba, as it holds <sensor>: expected "
+            "one of Nori\n"
+            "f.xml:2:2: error: unknown tag <sensor>: expected " +
+                xml::expectedNames("", xml::knownTags()) +
+                "\nf.xml:3:2: error: unknown tag <shape>: expected " +
+                xml::expectedNames("", xml::knownTags()));
+  EXPECT_EQ(files_.errors("LookAt 0 0 5  0 0 0  0 1 0\nWorldBegin\nShape \"sphere\"\n"),
+            "f.xml:1:1: error: this looks like a scene of pbrt, expected one of Nori, in XML");
+}
+
+TEST_F(SceneWild, UnknownTagsThatMayHoldGeometryOrACameraAreErrors) {
+  for (const char* inside : {"<object type=\"obj\"/>",
+                             "<camera type=\"perspective\">\n"
+                             "<lens type=\"thin\"/></camera>"})
+    EXPECT_NE(files_.errors(scene(inside)).find("error: unknown tag <"), std::string::npos);
+  EXPECT_NE(files_.errors(scene(mesh("<group type=\"a\"><b>" + mesh() + "</b></group>")))
+                .find("error: unknown tag <group>"),
+            std::string::npos);
+  EXPECT_NE(files_.warnings(scene(mesh("<coating type=\"a\"/>"))).find("unknown tag <coating>"),
+            std::string::npos);
 }
 
 TEST_F(SceneWild, ByteOrderMarkAndEntities) {
