@@ -2,6 +2,7 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <system_error>
 
 #include "commands/cli.h"
 #include "commands/process.h"
@@ -29,6 +30,11 @@ int main(int argc, char** argv) {
     return static_cast<int>(error.code());
   } catch (const std::bad_alloc&) {
     return fail(ExitCode::Output, "out of memory");
+  } catch (const std::system_error& error) {
+    if (error.code() == std::errc::resource_unavailable_try_again)
+      return fail(ExitCode::Output,
+                  "no thread can be started: the system allows no more (ulimit -u)");
+    return fail(ExitCode::Output, std::string("internal error: ") + error.what());
   } catch (const std::exception& error) {
     return fail(ExitCode::Output, std::string("internal error: ") + error.what());
   }

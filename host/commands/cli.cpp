@@ -83,6 +83,7 @@ void addRender(CLI::App& app, RenderCommand& command) {
   addSceneCommand(app, command);
   app.add_option("-o,--output,--outfile", command.output,
                  "picture to write, with a .png of the same name")
+      ->check(isNotEmpty())
       ->type_name("OUT.exr");
   app.add_flag("--reference", command.reference, "render in double precision on the CPU");
   app.add_flag("--resume", command.resume,
@@ -116,6 +117,7 @@ void addCompare(CLI::App& app, CompareCommand& command) {
   app.add_option("--metric", command.metric, "metric that the tolerance bounds")
       ->check(CLI::IsMember({"max", "p999", "rmse", "relmse"}));
   app.add_option("--out", command.out, "folder for difference.exr and difference.png")
+      ->check(isNotEmpty())
       ->type_name("DIR");
 }
 
@@ -133,6 +135,7 @@ void addView(CLI::App& app, ViewCommand& command) {
 void addChart(CLI::App& app, ChartCommand& command) {
   addScene(app, command.scene)->required();
   app.add_option("--out", command.out, "folder of the chart; default SCENE-chart beside the scene")
+      ->check(isNotEmpty())
       ->type_name("DIR");
   addSize(app, command.size, "size of the film in pixels; default 256 wide");
   app.add_option("--device", command.device, "as for rendering");

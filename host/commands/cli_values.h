@@ -42,6 +42,12 @@ CLI::Validator isOneOf(const Names<T>& names) {
   return {check, ""};
 }
 
+/// No variable of a script that turned out to be empty.
+inline CLI::Validator isNotEmpty() {
+  return {[](const std::string& text) { return text.empty() ? "expected a name, not \"\"" : ""; },
+          ""};
+}
+
 inline CLI::Validator hasForm(const char* pattern, const char* expected) {
   const auto check = [=](const std::string& text) {
     return std::regex_match(text, std::regex(pattern))
@@ -90,7 +96,7 @@ inline void addSize(CLI::App& app, std::optional<glm::ivec2>& size, const std::s
     std::istringstream(text) >> size->x >> x >> size->y;
   };
   app.add_option_function<std::string>("--size", read, meaning)
-      ->check(hasForm("[0-9]{1,9}x[0-9]{1,9}", "WIDTHxHEIGHT"))
+      ->check(hasForm("0*[1-9][0-9]{0,8}x0*[1-9][0-9]{0,8}", "WIDTHxHEIGHT, both above 0"))
       ->type_name("WxH");
 }
 

@@ -1,5 +1,7 @@
 #include "image/compare.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -37,8 +39,11 @@ void writeDifference(const CompareCommand& command, const Image& a, const Image&
 }  // namespace
 
 ExitCode run(const CompareCommand& command) {
-  const Image a = readExr(command.a);
-  const Image b = readExr(command.b);
+  Image a = withoutPrefix(readExr(command.a));
+  Image b = withoutPrefix(readExr(command.b));
+  if (cutToShared(a, b))
+    std::cout << fmt::format("compared where both have pixels: {}x{} from ({}, {})\n", a.width,
+                             a.height, a.window.x, a.window.y);
   const double tolerance = command.tolerance.value_or(0.0);
   const auto differences = compare(a, b, tolerance);
   std::cout << describe(differences, tolerance);

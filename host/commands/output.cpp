@@ -12,8 +12,10 @@
 
 #include "commands/resume.h"
 #include "core/atomic_file.h"
+#include "core/beside.h"
 #include "core/hash.h"
 #include "image/io.h"
+#include "scene/mesh_files.h"
 
 namespace laver {
 namespace {
@@ -26,18 +28,55 @@ std::string fileHash(const std::string& file) {
   return hash ? "xxh3:" + *hash : "none: not readable";
 }
 
-/// Camera space to normalised device coordinates: x from 0 at the left edge of the film to 1 at
-/// the right, y from 0 at the top, z from 0 at the near to 1 at the far plane.
+/// The attribute worldToCamera as OpenEXR states it (ImfStandardAttributes.h): left-handed, +x to
+/// the right of the picture, +y up, +z into the scene. In Nori's camera space +x is to the left.
+glm::dmat4 toCamera(const Camera& camera) {
+  glm::dmat4 mirror(1.0);
+  mirror[0][0] = -1.0;
+  return mirror * glm::inverse(camera.toWorld);
+}
+
+/// Camera space, as above, to normalised device coordinates: x from 0 at the left edge of the film
+/// to 1 at the right, y from 0 at the top, z from 0 at the near to 1 at the far plane.
 glm::dmat4 cameraToNdc(const Camera& camera) {
   const double t = std::tan(camera.fov * std::numbers::pi / 360.0);
   const double aspect = static_cast<double>(camera.width) / camera.height;
   const double depth = camera.farClip / (camera.farClip - camera.nearClip);
   glm::dmat4 m(0.0);
-  m[0][0] = -0.5 / t;  // +x of camera space is left
+  m[0][0] = 0.5 / t;
   m[1][1] = -0.5 * aspect / t;
   m[2] = {0.5, 0.5, depth, 1.0};
   m[3][2] = -camera.nearClip * depth;
   return m;
+}
+
+/// Where a picture lies without -o: beside the scene, if that is a file.
+std::filesystem::path besideScene(const std::string& scene) {
+  std::error_code error;
+  const std::string folder = std::filesystem::absolute(scene, error).parent_path().string() + "/";
+  if (!std::filesystem::is_regular_file(scene, error) || folder.starts_with("/dev/") ||
+      folder.starts_with("/proc/"))
+    throw Error(ExitCode::Usage,
+                fmt::format("-o OUT.exr is needed: no picture can lie beside \"{}\"", scene));
+  return std::filesystem::path(scene).replace_extension(".exr");
+}
+
+/// Throws if a picture would replace a file that the scene is made of.
+void checkNotOfScene(const std::filesystem::path& picture, const Scene& scene) {
+  std::vector<std::string> names = {scene.file};
+  if (scene.environment) names.push_back(scene.environment->filename);
+  for (const Mesh& mesh : scene.meshes) {
+    names.push_back(mesh.name);
+    if (mesh.bsdf.texture) names.push_back(mesh.bsdf.texture->filename);
+  }
+  for (const std::string& name : names) {
+    std::error_code error;
+    if (!name.empty() &&
+        std::filesystem::equivalent(xml::findFile(scene.file, name), picture, error))
+      throw Error(ExitCode::Usage,
+                  fmt::format("\"{}\" would be replaced, and the scene reads it: -o names another",
+                              picture.string()));
+  }
 }
 
 }  // namespace
@@ -46,21 +85,24 @@ void print(const RenderCommand& command, const std::string& text) {
   if (!command.quiet) std::cout << text;
 }
 
-std::filesystem::path outputOf(const RenderCommand& command) {
-  std::filesystem::path exr = command.output;
-  if (exr.empty()) exr = std::filesystem::path(command.scene).replace_extension(".exr");
+std::filesystem::path outputOf(const RenderCommand& command, const Scene& scene) {
+  const std::filesystem::path exr =
+      command.output.empty() ? besideScene(command.scene) : std::filesystem::path(command.output);
   if (exr.extension() != ".exr")
     throw Error(ExitCode::Usage,
                 fmt::format("-o {}: expected a name that ends in .exr", exr.string()));
-  checkReplaceable(exr.string());
-  checkReplaceable(std::filesystem::path(exr).replace_extension(".png").string());
+  const std::filesystem::path png = std::filesystem::path(exr).replace_extension(".png");
+  for (const auto& file : {exr, png}) {
+    checkReplaceable(file.string());
+    checkNotOfScene(file, scene);
+  }
   if (command.resume) checkReplaceable(statePath(exr).string());
   return exr;
 }
 
 Metadata metadataOf(const Scene& scene, const Rendered& rendered, const Stats& stats,
                     double renderSeconds) {
-  const glm::dmat4 worldToCamera = glm::inverse(scene.camera.toWorld);
+  const glm::dmat4 worldToCamera = toCamera(scene.camera);
   Metadata metadata = {{"comments", fmt::format("laver {} of {}", LAVER_VERSION, scene.file)},
                        {"laverVersion", std::string(LAVER_VERSION)},
                        {"device", stats.device},
@@ -87,7 +129,7 @@ Metadata metadataOf(const Scene& scene, const Rendered& rendered, const Stats& s
 void writePictures(const std::filesystem::path& exr, const Image& image, const Metadata& metadata,
                    unsigned threads) {
   const std::string png = std::filesystem::path(exr).replace_extension(".png").string();
-  auto pngDone = std::async(std::launch::async, [&] { writePng(png, image); });
+  auto pngDone = std::async(kBeside, [&] { writePng(png, image); });
   writeExr(exr.string(), image, metadata, threads);
   pngDone.get();
 }

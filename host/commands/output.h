@@ -14,8 +14,9 @@ namespace laver {
 void print(const RenderCommand& command, const std::string& text);
 
 /// The picture's file, after checking that it, the PNG and with --resume the file of sums can be
-/// written. Throws Error(Usage) or Error(Output).
-std::filesystem::path outputOf(const RenderCommand& command);
+/// written, and that the picture replaces no file of the scene. Throws Error(Usage) or
+/// Error(Output).
+std::filesystem::path outputOf(const RenderCommand& command, const Scene& scene);
 
 /// The attributes of a picture's EXR file. For an incomplete picture they include how many samples
 /// per pixel were requested, and how many rows hold some and all of them.

@@ -6,6 +6,8 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <iostream>
 
 namespace laver {
@@ -51,6 +53,12 @@ Interruption::~Interruption() {
 }
 
 bool Interruption::noted() { return firstSignal != 0; }
+
+void Interruption::waiting() {
+  if (!noted()) return;
+  std::fputs("laver: interrupted before the first pass; nothing is written\n", stderr);
+  std::_Exit(static_cast<int>(code()));
+}
 
 void Interruption::request() { note(SIGINT); }
 

@@ -18,6 +18,8 @@ class Interruption : public Observer {
   Interruption& operator=(const Interruption&) = delete;
 
   bool stop() override { return noted(); }
+  /// Ends the process if a signal came: nothing has been rendered that could be kept.
+  void waiting() override;
 
   /// Whether one of the signals has arrived.
   static bool noted();

@@ -95,6 +95,8 @@ Ended renderWith(Renderer* renderer, const Scene& scene, const RenderOptions& op
     ended.stats.seconds.trace = since(start) - ended.stats.seconds.build;
   }
   ended.seconds = since(start);
+  const Crop core = coreOf(scene.camera, options);
+  ended.rendered.image.window = {core.x0, core.y0, scene.camera.width, scene.camera.height};
   return ended;
 }
 
@@ -138,7 +140,7 @@ ExitCode run(const RenderCommand& command, ViewedPictures* viewed) {
   const auto renderer = startRenderer(command);
   const Scene scene = sceneOf(command);
   checkRender(command, scene);
-  const auto exr = outputOf(command);
+  const auto exr = outputOf(command, scene);
   const double loadSeconds = since(start);
   if (Interruption::noted()) throw interrupted(kNothing);
 

@@ -11,7 +11,7 @@ Image pictureOf(const std::string& file) {
   Image image = readExr(file);
   if (const std::string defect = imageDefect(image); !defect.empty())
     throw Error(ExitCode::Usage, file + " is broken: " + defect);
-  return image;
+  return onFilm(withoutPrefix(std::move(image)));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -40,7 +41,11 @@ void parallelFor(std::size_t count, std::size_t grain, unsigned threads,
   };
   std::vector<std::jthread> helpers;
   const std::size_t wanted = std::min<std::size_t>(threadCount(threads), chunks);
-  for (std::size_t i = 1; i < wanted; ++i) helpers.emplace_back(work);
+  try {
+    for (std::size_t i = 1; i < wanted; ++i) helpers.emplace_back(work);
+  } catch (const std::system_error&) {
+    // The system allows no more threads: those that are there do the work.
+  }
   work();
   helpers.clear();
   if (failure) std::rethrow_exception(failure);

@@ -5,6 +5,7 @@
 #include <OpenEXR/ImfInputPart.h>
 #include <OpenEXR/ImfMultiPartInputFile.h>
 #include <OpenEXR/ImfPartType.h>
+#include <OpenEXR/ImfRgbaFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <fmt/format.h>
 
@@ -16,6 +17,7 @@
 #include <tuple>
 
 #include "core/error.h"
+#include "core/lfs_pointer.h"
 #include "image/io.h"
 
 namespace laver {
@@ -41,11 +43,24 @@ std::vector<std::string> channelNames(const Imf::ChannelList& list) {
   return names;
 }
 
+/// Luminance and chroma, of which the latter have half the resolution, as OpenEXR converts them.
+Image decodeChroma(const std::string& file, Image image) {
+  Imf::RgbaInputFile input(file.c_str());
+  const Imath::Box2i window = input.dataWindow();
+  const auto width = static_cast<std::size_t>(image.width);
+  std::vector<Imf::Rgba> pixels(width * static_cast<std::size_t>(image.height));
+  const std::ptrdiff_t origin =
+      window.min.x + static_cast<std::ptrdiff_t>(window.min.y) * image.width;
+  input.setFrameBuffer(pixels.data() - origin, 1, width);
+  input.readPixels(window.min.y, window.max.y);
+  image.channels = {"R", "G", "B"};
+  for (const Imf::Rgba& p : pixels)
+    image.pixels.insert(image.pixels.end(), {float{p.r}, float{p.g}, float{p.b}});
+  return image;
+}
+
 Image decode(const std::string& file) {
   Imf::MultiPartInputFile input(file.c_str());
-  if (input.parts() != 1) {
-    throw std::runtime_error(fmt::format("it has {} parts, and one is read", input.parts()));
-  }
   const Imf::Header& header = input.header(0);
   if (header.hasType() && Imf::isDeepData(header.type())) {
     throw std::runtime_error("it holds deep data, and flat pictures are read");
@@ -54,7 +69,13 @@ Image decode(const std::string& file) {
   Image image;
   image.width = window.max.x - window.min.x + 1;
   image.height = window.max.y - window.min.y + 1;
-  image.channels = channelNames(header.channels());
+  const Imath::Box2i display = header.displayWindow();
+  image.window = {window.min.x - display.min.x, window.min.y - display.min.y,
+                  display.max.x - display.min.x + 1, display.max.y - display.min.y + 1};
+  const Imf::ChannelList& list = header.channels();
+  if (list.findChannel("Y") && (list.findChannel("RY") || list.findChannel("BY")))
+    return decodeChroma(file, std::move(image));
+  image.channels = channelNames(list);
   const std::size_t row = static_cast<std::size_t>(image.width) * image.channels.size();
   const auto rows = static_cast<std::size_t>(image.height);
   if (row != 0 && rows > image.pixels.max_size() / row) throw std::runtime_error("it is too large");
@@ -85,6 +106,9 @@ Image readExr(const std::string& file) {
     } catch (const std::exception& error) {
       reason = error.what();
       std::replace(reason.begin(), reason.end(), '\n', ' ');
+      std::string start(64, '\0');
+      std::ifstream(file, std::ios::binary).read(start.data(), 64);
+      if (isLfsPointer(start)) reason = std::string("it ") + kLfsPointer;
     }
   }
   throw Error(ExitCode::Usage, fmt::format("cannot read \"{}\": {}", file, reason));

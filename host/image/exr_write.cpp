@@ -154,11 +154,16 @@ struct AttributeWriter {
 
 void writeHeader(const ExrWriter& writer, const Image& image, const Metadata& metadata) {
   exr_context_t file = writer.context();
-  int part = 0;
+  int number = 0;
   writer.check(exr_set_longname_support(file, 1));
-  writer.check(exr_add_part(file, nullptr, EXR_STORAGE_SCANLINE, &part));
-  writer.check(
-      exr_initialize_required_attr_simple(file, 0, image.width, image.height, EXR_COMPRESSION_ZIP));
+  writer.check(exr_add_part(file, nullptr, EXR_STORAGE_SCANLINE, &number));
+  const FilmWindow& w = image.window;
+  const exr_attr_box2i_t data = {{w.x, w.y}, {w.x + image.width - 1, w.y + image.height - 1}};
+  const bool part = w.filmWidth > 0 && w.filmHeight > 0;
+  const exr_attr_box2i_t display = {{0, 0}, {w.filmWidth - 1, w.filmHeight - 1}};
+  const exr_attr_v2f_t centre = {{0.0F, 0.0F}};
+  writer.check(exr_initialize_required_attr(file, 0, part ? &display : &data, &data, 1.0F, &centre,
+                                            1.0F, EXR_LINEORDER_INCREASING_Y, EXR_COMPRESSION_ZIP));
   for (const std::string& channel : image.channels)
     writer.check(exr_add_channel(file, 0, channel.c_str(), EXR_PIXEL_FLOAT,
                                  EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1));
@@ -191,8 +196,8 @@ std::vector<std::byte> encode(const Image& image, const Metadata& metadata, cons
             exrZipChunk(image, channels, rowOf(i), std::min(rowOf(i) + kExrZipRows, image.height));
     });
     for (std::size_t i = 0; i < count; ++i)
-      writer.check(exr_write_scanline_chunk(writer.context(), 0, rowOf(i), chunks[i].data(),
-                                            chunks[i].size()));
+      writer.check(exr_write_scanline_chunk(writer.context(), 0, image.window.y + rowOf(i),
+                                            chunks[i].data(), chunks[i].size()));
   }
   return writer.finish();
 }

@@ -13,14 +13,15 @@ namespace laver {
 /// Attributes of an EXR file by name. Matrices follow glm's column-vector convention.
 using Metadata = std::map<std::string, std::variant<std::string, double, int, glm::dmat4>>;
 
-/// Writes 32-bit float channels, ZIP-compressed on `threads` threads (0: all). Replaces the file
+/// Writes 32-bit float channels with the picture's window as the data window, the film as the
+/// display window, ZIP-compressed on `threads` threads (0: all). Replaces the file
 /// atomically. Throws Error(Output).
 void writeExr(const std::string& file, const Image& image, const Metadata& metadata = {},
               unsigned threads = 0);
 
 /// Reads every channel of an EXR file as float, over its data window. Channels are sorted by layer
-/// and name, except that R, G, B, A of a layer come first. Throws Error(Usage) if the file cannot
-/// be read, is deep or has several parts.
+/// and name, except that R, G, B, A of a layer come first. Luminance and chroma become R, G, B. Of
+/// several parts it is the first. Throws Error(Usage) if the file cannot be read or is deep.
 Image readExr(const std::string& file);
 
 /// The string attributes of an EXR file, by name. Throws Error(Usage) if it is no EXR file.

@@ -36,8 +36,9 @@ std::ptrdiff_t indexOf(const Image& image, const char* channel) {
   return found == names.end() ? -1 : found - names.begin();
 }
 
-/// R, G, B of an EXR picture, or its Y three times.
-Image colours(const Image& image) {
+/// R, G, B of an EXR picture, under a prefix or none, or its Y three times.
+Image colours(const Image& given) {
+  const Image image = withoutPrefix(given);
   std::array<std::ptrdiff_t, 3> from = {indexOf(image, "R"), indexOf(image, "G"),
                                         indexOf(image, "B")};
   if (std::min({from[0], from[1], from[2]}) < 0) from.fill(indexOf(image, "Y"));

@@ -24,6 +24,10 @@ void Observers::started(const std::string& device) const {
   for (Observer* observer : observers_) observer->started(device);
 }
 
+void Observers::waiting() const {
+  for (Observer* observer : observers_) observer->waiting();
+}
+
 void Observers::beginPicture(std::size_t index, std::size_t count) {
   index_ = index;
   count_ = count;

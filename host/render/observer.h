@@ -19,6 +19,9 @@ class Observer {
   virtual void started(const std::string& /*device*/) {}
   /// Called before each pass; returning true stops the render.
   virtual bool stop() { return false; }
+  /// Called from time to time while the driver compiles kernels, which cannot be interrupted. It
+  /// may end the process.
+  virtual void waiting() {}
   /// Called from time to time with the finished share of the render, 0 to 1, and the number of
   /// samples traced so far.
   virtual void progress(double /*share*/, std::uint64_t /*samples*/) {}
@@ -41,6 +44,7 @@ class Observers {
 
   void started(const std::string& device) const;
   bool stop() const { return stops(observers_); }
+  void waiting() const;
   /// The following events concern picture `index` of `count`; only rows of picture 0 are reported.
   void beginPicture(std::size_t index, std::size_t count);
   /// `share` of the current picture is finished.

@@ -2,6 +2,7 @@
 
 #include <future>
 
+#include "core/beside.h"
 #include "kernels/compose.h"
 #include "render/device_scene.h"
 
@@ -25,9 +26,8 @@ Kernels compileKernels(const Device& device, const TraceKey& trace, const Gather
   Tiling smallest{};
   smallest.sampleSlots = smallest.bandPixels = 1;
   const DeviceScene standIn(device, empty, smallest);
-  auto gathering = std::async(std::launch::async, [&] {
-    return compileKernel(device, standIn.bindings(), compose(gather));
-  });
+  auto gathering = std::async(
+      kBeside, [&] { return compileKernel(device, standIn.bindings(), compose(gather)); });
   CompiledKernel tracing = compileKernel(device, standIn.bindings(), compose(trace));
   return {std::move(tracing), gathering.get()};
 }

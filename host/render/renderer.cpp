@@ -1,8 +1,10 @@
 #include "render/renderer.h"
 
+#include <chrono>
 #include <future>
 #include <utility>
 
+#include "core/beside.h"
 #include "render/render.h"
 #include "render/stopwatch.h"
 #include "vulkan/device.h"
@@ -38,7 +40,7 @@ struct Renderer::Impl {
 };
 
 Renderer::Renderer(const VulkanOptions& options) : impl_(new Impl{options, {}}) {
-  impl_->start = std::async(std::launch::async, [options] { return startVulkan(options); }).share();
+  impl_->start = std::async(kBeside, [options] { return startVulkan(options); }).share();
 }
 
 Renderer::~Renderer() = default;
@@ -55,7 +57,7 @@ Rendered Renderer::render(const Scene& scene, const RenderOptions& options, Film
   const Choices choices = choose(scene, options, impl_->options, device.info());
 
   double compileSeconds = 0;
-  auto compiling = std::async(std::launch::async, [&] {
+  auto compiling = std::async(kBeside, [&] {
     const Stopwatch watch(compileSeconds);
     return compileKernels(device, choices.pictures.front().key, choices.gather,
                           attributeFormat(choices.uploads));
@@ -69,6 +71,8 @@ Rendered Renderer::render(const Scene& scene, const RenderOptions& options, Film
                   : settingsOf(scene, packed, choices, device.info()),
               width, height, scene.sampler.sampleCount);
 
+  while (compiling.wait_for(std::chrono::milliseconds(50)) == std::future_status::timeout)
+    observers.waiting();
   Frame frame(device, packed, choices, std::move(compiling));
   if (impl_->options.poisoned) frame.poison();
   RenderTimes times;

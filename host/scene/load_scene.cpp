@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <new>
 
 #include "core/error.h"
@@ -16,7 +18,7 @@ xml::Draft xml::readDraft(const TextSource& source, const SceneOverrides& overri
                           Diagnostics& diagnostics) {
   pugi::xml_document document;
   const pugi::xml_node root = parseDocument(source, document, diagnostics);
-  Draft draft{overrides, {}, {}, {}, 0};
+  Draft draft{.overrides = overrides, .scene = {}, .meshes = {}, .meshLights = {}};
   draft.scene.file = source.file();
   if (root) Reader(source, draft, diagnostics).readScene(root);
   if (overrides.filter != nullptr && overrides.filter != draft.scene.filter.row)
@@ -25,6 +27,29 @@ xml::Draft xml::readDraft(const TextSource& source, const SceneOverrides& overri
 }
 
 namespace {
+
+/// How far a filter has weights that floats can tell from 0, up to half a pixel.
+double reachOf(const Filter& filter) {
+  double reach = 0.0;
+  for (int i = 0; i < 64; ++i) {
+    const double x = std::min(0.5, filter.radius) * (i + 1) / 64.0;
+    if (std::abs(filter.row->evaluate(filter, x - 1e-9)) > 1e-37) reach = x;
+  }
+  return reach;
+}
+
+/// A sample lies within reach of a pixel's centre with probability (2 reach)^2. Pixels without such
+/// a sample stay black: one in a thousand is seen.
+void warnOfNarrowFilter(const xml::Draft& draft, xml::Diagnostics& diagnostics) {
+  const double share = 4.0 * std::pow(reachOf(draft.scene.filter), 2);
+  const double black = std::pow(1.0 - share, draft.scene.sampler.sampleCount);
+  if (black <= 1e-3) return;
+  diagnostics.warning(
+      draft.filterOffset,
+      fmt::format("the filter \"{}\" reaches {:.3g} % of a pixel's samples: about {:.3g} % of the "
+                  "pixels get none and stay black",
+                  draft.scene.filter.row->name, 100.0 * share, 100.0 * black));
+}
 
 LoadedScene load(const std::string& file, const SceneOverrides& overrides) {
   xml::FileText read = xml::readFile(file);
@@ -39,6 +64,7 @@ LoadedScene load(const std::string& file, const SceneOverrides& overrides) {
   xml::loadTextures(source, draft, diagnostics);
   xml::loadMeshes(source, draft, diagnostics);
   xml::warnOfMissingUvs(draft, diagnostics);
+  warnOfNarrowFilter(draft, diagnostics);
   diagnostics.throwErrors();
   return {std::move(draft.scene), diagnostics.warnings()};
 }

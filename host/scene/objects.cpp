@@ -48,6 +48,7 @@ void buildFilter(const Properties& given, std::string_view, Draft& draft) {
   for (std::size_t i = 0; i < row.properties.size(); ++i)
     filter.*row.members[i] = given.real(row.properties[i].name);
   draft.scene.filter = filter;
+  draft.filterOffset = given.offset();
 }
 
 void buildBsdf(const Properties& given, std::string_view, Draft& draft) {

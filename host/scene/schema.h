@@ -34,6 +34,7 @@ struct Draft {
   std::vector<MeshDraft> meshes;
   std::vector<PointLight> meshLights;  ///< lights inside of meshes, which follow the scene's own
   std::size_t environmentOffset = 0;   ///< of its tag
+  std::size_t filterOffset = 0;        ///< of its tag
   std::map<std::string, std::shared_ptr<UserBsdf>> userBsdfs{};  ///< by file
   bool integratorKnown = false;                                  ///< laver has it
 };

@@ -43,6 +43,7 @@ ViewLayer layerOf(const Names& channels, std::size_t i) {
 
 Image only(const Image& image, const Names& names) {
   Image result = blackImage(image.width, image.height, names);
+  result.window = image.window;
   std::vector<std::size_t> from;
   for (const std::string& name : names) from.push_back(*place(image.channels, name));
   auto out = result.pixels.begin();

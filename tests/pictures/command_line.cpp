@@ -44,6 +44,19 @@ TEST_F(CommandLine, OverridesReachThePictureAndItsAttributes) {
   EXPECT_FALSE(fs::exists(folder_ / "test.exr"));
 }
 
+TEST_F(CommandLine, ACropKeepsItsPlaceOnTheFilm) {
+  write("test.xml", kFirstScene);
+  const std::string render = "test.xml --device $device --quiet --size 64x48 -o ";
+  ASSERT_EQ(laver(render + "a.exr --crop 10,5,40,30").code, 0);
+  ASSERT_EQ(laver(render + "b.exr").code, 0);
+  const Image crop = readExr(path("a.exr"));
+  EXPECT_EQ(crop.window, (FilmWindow{10, 5, 64, 48}));
+  EXPECT_EQ(crop.width, 30);
+  const Outcome run = laver("compare a.exr b.exr --tolerance 0");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.out.find("compared where both have pixels: 30x25 from (10, 5)\n"), 0U) << run.out;
+}
+
 TEST_F(CommandLine, ReferenceNeedsNoDriver) {
   write("test.xml", kFirstScene);
   const std::string none = "VK_ICD_FILENAMES=/nonexistent VK_DRIVER_FILES=/nonexistent";
@@ -72,6 +85,8 @@ TEST_F(CommandLine, UsageErrorsAreOneLineAndExitTwo) {
                                 "test.xml --crop 1,2,3",
                                 "test.xml --crop 0,0,5000,2 --device $device",
                                 "test.xml --crop 4,4,4,8 --device $device",
+                                "test.xml --size 0x0",
+                                "test.xml -o ''",
                                 "test.xml --spp 0",
                                 "test.xml --spp -3",
                                 "test.xml --integrator vol_path",
@@ -89,6 +104,32 @@ TEST_F(CommandLine, UsageErrorsAreOneLineAndExitTwo) {
     const int warnings = run.err.find("warning") == std::string::npos ? 0 : 1;
     EXPECT_EQ(lines(run.err), 1 + warnings) << arguments << ": " << run.err;
   }
+}
+
+TEST_F(CommandLine, AScenePipedInNeedsAnOutput) {
+  write("test.xml", kFirstScene);
+  const std::string rest = " --reference --size 8x8 --quiet --integrator depth";
+  for (const char* where : {"/dev/stdin", "/proc/self/fd/0", "/dev/fd/0"}) {
+    const Outcome run = laver(where + rest, "", "< test.xml");
+    EXPECT_EQ(run.code, 2) << run.err;
+    EXPECT_NE(run.err.find("laver: -o OUT.exr is needed"), std::string::npos) << run.err;
+    EXPECT_EQ(files(), (std::set<std::string>{"test.xml"}));
+  }
+  EXPECT_EQ(laver("/dev/stdin -o a.exr" + rest, "cat test.xml |").code, 0);
+  EXPECT_EQ(laver("/dev/stdin -o b.exr" + rest, "", "< test.xml").code, 0);
+  EXPECT_EQ(files(), (std::set<std::string>{"test.xml", "a.exr", "a.png", "b.exr", "b.png"}));
+}
+
+TEST_F(CommandLine, FilesOfTheSceneAreNotReplaced) {
+  writeExr(path("sky.exr"), rgbImage(4, 2));
+  const std::string before = contents(folder_ / "sky.exr");
+  write("test.xml",
+        "<scene><integrator type=\"direct_whitted\"/><emitter type=\"envmap\">"
+        "<string name=\"filename\" value=\"sky.exr\"/></emitter></scene>");
+  const Outcome run = laver("test.xml --reference --size 8x8 --quiet -o ./sky.exr");
+  EXPECT_EQ(run.code, 2) << run.err;
+  EXPECT_NE(run.err.find("the scene reads it"), std::string::npos) << run.err;
+  EXPECT_EQ(contents(folder_ / "sky.exr"), before);
 }
 
 TEST_F(CommandLine, SceneErrorsExitThreeAndTouchNoOutput) {

@@ -139,6 +139,24 @@ TEST_F(Interruption, BeforeTheFirstPassWritesNothingAndSaysSo) {
   EXPECT_EQ(files(), std::set<std::string>{"scene.xml"});
 }
 
+// The driver takes minutes to compile the sums of such a filter, and no call of Vulkan ends that.
+TEST_F(Interruption, EndsWhileTheDriverCompiles) {
+  write("wide.xml",
+        "<scene><integrator type=\"depth\"/><camera type=\"perspective\">"
+        "<rfilter type=\"gaussian\"><float name=\"radius\" "
+        "value=\"58\"/></rfilter></camera></scene>");
+  for (const int signal : {SIGTERM, SIGINT}) {
+    fs::remove(folder_ / "out.txt");
+    Child child(folder_, {"wide.xml", "--size", "32x32", "-o", "a.exr"});
+    while (contents(folder_ / "out.txt").find("Rendering") == std::string::npos) ::usleep(1000);
+    child.send(signal);
+    EXPECT_EQ(child.wait(), 128 + signal);
+    EXPECT_EQ(contents(folder_ / "err.txt"),
+              "laver: interrupted before the first pass; nothing is written\n");
+    EXPECT_EQ(files(), (std::set<std::string>{"wide.xml"}));
+  }
+}
+
 TEST_F(Interruption, ASecondCtrlCEndsAtOnce) {
   ASSERT_EQ(::mkfifo(path("scene.xml").c_str(), 0600), 0);
   Child child(folder_, {"scene.xml", "--reference"});

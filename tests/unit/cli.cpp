@@ -78,8 +78,8 @@ TEST(Cli, NoGuiWinsInAnyOrder) {
 
 TEST(Cli, ErrorsSayWhatWasExpected) {
   EXPECT_EQ(errorOf(""), "no scene given; see laver --help");
-  EXPECT_EQ(errorOf("a.xml --size 12x"), "--size: expected WIDTHxHEIGHT, not \"12x\"");
-  EXPECT_EQ(errorOf("a.xml --size 1x2x3"), "--size: expected WIDTHxHEIGHT, not \"1x2x3\"");
+  EXPECT_EQ(errorOf("a.xml --size 12x"), "--size: expected WIDTHxHEIGHT, both above 0, not \"12x\"");
+  EXPECT_EQ(errorOf("a.xml --size 1x2x3"), "--size: expected WIDTHxHEIGHT, both above 0, not \"1x2x3\"");
   EXPECT_EQ(errorOf("a.xml --crop 1,2,3"), "--crop: expected x0,y0,x1,y1, not \"1,2,3\"");
   EXPECT_EQ(errorOf("a.xml --sampler halton"),
             "--sampler: expected independent, stratified or sobol, not \"halton\"");
@@ -93,6 +93,29 @@ TEST(Cli, ErrorsSayWhatWasExpected) {
   EXPECT_NE(errorOf("schema --json --markdown"), "no error");
   EXPECT_EQ(errorOf("explain"), "SCENE.xml is required");
   EXPECT_EQ(errorOf("plan a.xml b.xml"), "The following argument was not expected: b.xml");
+}
+
+TEST(Cli, SizesAreAboveZero) {
+  for (const char* size : {"0x0", "0x5", "5x00"})
+    EXPECT_NE(
+        errorOf(std::string("a.xml --size ") + size).find("expected WIDTHxHEIGHT, both above 0"),
+        std::string::npos);
+  EXPECT_EQ(commandOf<RenderCommand>("a.xml --size 064x9").overrides.size, glm::ivec2(64, 9));
+}
+
+TEST(Cli, EmptyNamesAreRefused) {
+  for (const std::vector<const char*>& words :
+       {std::vector<const char*>{"laver", "a.xml", "-o", ""},
+        {"laver", "chart", "a.xml", "--out", ""},
+        {"laver", "compare", "a.exr", "b.exr", "--out="}}) {
+    try {
+      parse(static_cast<int>(words.size()), words.data());
+      ADD_FAILURE() << words[1];
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ExitCode::Usage);
+      EXPECT_NE(std::string(error.what()).find("--out"), std::string::npos) << error.what();
+    }
+  }
 }
 
 TEST(Cli, HelpListsTheTablesNames) {

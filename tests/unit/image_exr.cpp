@@ -5,11 +5,16 @@
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfIntAttribute.h>
 #include <OpenEXR/ImfMatrixAttribute.h>
+#include <OpenEXR/ImfMultiPartOutputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfOutputPart.h>
+#include <OpenEXR/ImfPartType.h>
+#include <OpenEXR/ImfRgbaFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
@@ -155,6 +160,94 @@ TEST(Exr, ReadsHalfAndUintInAnyDataWindow) {
   EXPECT_EQ(image.at(1, 2, 0), 65504.0f);
   EXPECT_EQ(image.at(0, 1, 1), 3.0f);
   EXPECT_EQ(image.at(1, 2, 1), 16777216.0f);
+}
+
+TEST(Exr, PartsOfAFilmKeepTheirPlace) {
+  const TemporaryFolder folder;
+  Image part = oddFloats();
+  part.window = {10, 5, 64, 48};
+  writeExr(folder.path("a.exr"), part);
+  const Imf::InputFile file(folder.path("a.exr").c_str());
+  EXPECT_EQ(file.header().dataWindow(), Imath::Box2i({10, 5}, {14, 8}));
+  EXPECT_EQ(file.header().displayWindow(), Imath::Box2i({0, 0}, {63, 47}));
+  const Image back = readExr(folder.path("a.exr"));
+  EXPECT_EQ(back.window, part.window);
+  EXPECT_EQ(bits(back.pixels), bits(part.pixels));
+  const Image film = onFilm(back);
+  EXPECT_EQ(film.width, 64);
+  EXPECT_EQ(film.at(10, 5, 2), part.at(0, 0, 2));
+  EXPECT_EQ(film.at(9, 5, 2), 0.0F);
+}
+
+TEST(Exr, LuminanceAndChromaAreColours) {
+  const TemporaryFolder folder;
+  const std::string name = folder.path("yc.exr");
+  {
+    Imf::RgbaOutputFile file(name.c_str(), 8, 8, Imf::WRITE_YC);
+    const std::vector<Imf::Rgba> orange(64, Imf::Rgba(1.0F, 0.5F, 0.25F));
+    file.setYCRounding(10, 10);  // all bits of half floats
+    file.setFrameBuffer(orange.data(), 1, 8);
+    file.writePixels(8);
+  }
+  const Image image = readExr(name);
+  ASSERT_EQ(image.channels, (std::vector<std::string>{"R", "G", "B"}));
+  for (int i = 0; i < 3; ++i)  // half floats, twice
+    EXPECT_NEAR(image.at(4, 4, static_cast<std::size_t>(i)), std::exp2f(-static_cast<float>(i)),
+                2e-3F);
+}
+
+TEST(Exr, OfSeveralPartsTheFirstIsRead) {
+  const TemporaryFolder folder;
+  const std::string name = folder.path("parts.exr");
+  {
+    std::vector<Imf::Header> headers;
+    for (const char* part : {"first", "second"}) {
+      headers.emplace_back(2, 1);
+      headers.back().setName(part);
+      headers.back().setType(Imf::SCANLINEIMAGE);
+      headers.back().channels().insert("Y", Imf::Channel(Imf::FLOAT));
+    }
+    Imf::MultiPartOutputFile file(name.c_str(), headers.data(), 2);
+    for (int i = 0; i < 2; ++i) {
+      float values[2] = {1.0F + static_cast<float>(i), 7.0F};
+      Imf::FrameBuffer frame;
+      frame.insert("Y", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values), 4, 8));
+      Imf::OutputPart part(file, i);
+      part.setFrameBuffer(frame);
+      part.writePixels(1);
+    }
+  }
+  EXPECT_EQ(readExr(name).pixels, (std::vector<float>{1.0F, 7.0F}));
+}
+
+TEST(Images, OneLayersColoursLoseTheirPrefix) {
+  const auto names = [](std::vector<std::string> channels) {
+    return withoutPrefix(blackImage(1, 1, std::move(channels))).channels;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(names({"a.R", "a.G", "a.B", "a.A", "b.Z"}), (Names{"R", "G", "B", "A", "b.Z"}));
+  for (const Names& kept : {Names{"a.R", "a.G", "a.B", "b.R", "b.G", "b.B"},
+                            Names{"Z", "a.R", "a.G", "a.B"}, Names{"a.R", "a.G"}})
+    EXPECT_EQ(names(kept), kept);
+}
+
+TEST(Images, PartsOfOneFilmAreCutToWhatBothHave) {
+  Image whole = rgbImage(6, 4), part = rgbImage(3, 2);
+  whole.window = {0, 0, 6, 4};
+  part.window = {2, 1, 6, 4};
+  whole.at(2, 1, 0) = 5.0F;
+  whole.at(4, 2, 2) = 6.0F;
+  EXPECT_TRUE(cutToShared(whole, part));
+  EXPECT_EQ(whole.window, part.window);
+  EXPECT_EQ(whole.width, 3);
+  EXPECT_EQ(whole.at(0, 0, 0), 5.0F);
+  EXPECT_EQ(whole.at(2, 1, 2), 6.0F);
+  EXPECT_FALSE(cutToShared(whole, part));
+  Image elsewhere = rgbImage(1, 1);
+  elsewhere.window = {5, 3, 6, 4};
+  expectError(ExitCode::Usage, "do not overlap", [&] { cutToShared(elsewhere, part); });
+  Image other = rgbImage(3, 2);
+  EXPECT_FALSE(cutToShared(other, part));
 }
 
 TEST(Exr, KeepsLayersAndOrdersColoursFirst) {

@@ -23,6 +23,25 @@ TEST(SceneFilter, AnOverrideHasTheDefaultsOfItsKind) {
   EXPECT_EQ(filterWith(&filters::box, "").radius, 0.5);
 }
 
+TEST(SceneFilter, OneThatReachesFewSamplesIsWarnedOf) {
+  const SceneFiles files;
+  const auto warnings = [&](const std::string& name, const std::string& value, int samples) {
+    return files.warnings(
+        scene("<sampler type=\"independent\"><integer name=\"sampleCount\" value=\"" +
+              std::to_string(samples) +
+              "\"/></sampler>\n<camera type=\"perspective\">"
+              "<rfilter type=\"gaussian\"><float name=\"" +
+              name + "\" value=\"" + value + "\"/></rfilter></camera>"));
+  };
+  EXPECT_EQ(
+      warnings("radius", "0.01", 1),
+      "f.xml:3:29: warning: the filter \"gaussian\" reaches 0.04 % of a pixel's samples: about "
+      "100 % of the pixels get none and stay black");
+  EXPECT_NE(warnings("stddev", "0.001", 16), "") << "weights beyond 13 deviations are 0 in floats";
+  EXPECT_EQ(warnings("radius", "0.4", 64), "");
+  EXPECT_EQ(warnings("radius", "0.5", 1), "");
+}
+
 TEST(SceneFilter, NamesAndDefaultsAreTheXmls) {
   const SceneFiles files;
   for (const char* name : {"gaussian", "mitchell", "tent", "box"}) {
