@@ -67,7 +67,7 @@ void checkNotOfScene(const std::filesystem::path& picture, const Scene& scene) {
   if (scene.environment) names.push_back(scene.environment->filename);
   for (const Mesh& mesh : scene.meshes) {
     names.push_back(mesh.name);
-    if (mesh.bsdf.texture) names.push_back(mesh.bsdf.texture->filename);
+    for (const NamedTexture& named : mesh.bsdf.textures) names.push_back(named.texture.filename);
   }
   for (const std::string& name : names) {
     std::error_code error;

@@ -6,27 +6,10 @@
 #include <set>
 
 #include "core/error.h"
+#include "kernels/text.h"
 
 namespace laver {
 namespace {
-
-/// Collects lines of GLSL.
-class Text {
- public:
-  template <class... Args>
-  void line(fmt::format_string<Args...> format, Args&&... args) {
-    text_ += fmt::format(format, std::forward<Args>(args)...);
-    text_ += '\n';
-  }
-  void flag(const char* name, bool value) { line("const bool {} = {};", name, value); }
-  void number(const char* name, std::uint32_t value) { line("const uint {} = {}u;", name, value); }
-  void include(std::string_view path) { line("#include \"{}\"", path); }
-  void append(std::string_view text) { text_ += text; }
-  const std::string& str() const { return text_; }
-
- private:
-  std::string text_;
-};
 
 void extensions(Text& text, bool subgroups) {
   text.line("#version 460");
@@ -67,7 +50,6 @@ void traceConstants(const TraceKey& key, Text& text) {
   text.flag("HAS_EMISSION", key.emission);
   text.flag("HAS_SOURCES", key.sources);
   text.flag("HAS_BACKGROUND", key.background != "none");
-  text.flag("HAS_BSDF_RECORDS", key.bsdfRecords);
   text.flag("HAS_BYTE_IMAGES", key.byteImages);
   text.flag("HAS_FLOAT_IMAGES", key.floatImages);
   text.flag("ADAPTIVE", key.adaptive);
@@ -75,62 +57,9 @@ void traceConstants(const TraceKey& key, Text& text) {
   text.flag("CENTRES", key.integrator == "centres");
 }
 
-/// Writes a function that calls NAME + suffix for the NAME of index `which` in `names`, the last
-/// for any larger index.
-void dispatch(Text& text, const std::vector<std::string>& names, const char* suffix,
-              const char* head, const char* which, const char* arguments) {
-  text.line("{} {{", head);
-  for (std::size_t i = 0; i + 1 < names.size(); ++i)
-    text.line("  if ({} == {}u) return {}{}({});", which, i, names[i], suffix, arguments);
-  text.line("  return {}{}({});", names.back(), suffix, arguments);
-  text.line("}}");
-}
-
-/// A user's text, with #line so that errors show the user's file and line.
-void userText(const std::string& file, const std::string& source, Text& text) {
-  text.line("#line 1 \"{}\"", file);
-  text.append(source);
-  text.line("");
-}
-
-/// A user's BSDF. Its numbers are named xml_NAME within its text.
-void userBsdf(const UserBsdfText& bsdf, Text& text) {
-  const char* components[] = {"x", "y", "z", "w"};
-  for (std::size_t i = 0; i < bsdf.numbers.size(); ++i)
-    text.line("#define xml_{} m.numbers.{}", bsdf.numbers[i], components[i]);
-  userText(bsdf.file, bsdf.text, text);
-  for (const std::string& number : bsdf.numbers) text.line("#undef xml_{}", number);
-}
-
 /// Materials and emitters.
 void shading(const TraceKey& key, Text& text) {
-  if (key.textures.empty()) {
-    text.include("texture/plain.glsl");
-  } else {
-    text.include("texture/record.glsl");
-    for (const std::string& texture : key.textures)
-      text.line("#include \"texture/{}.glsl\"", texture);
-    dispatch(text, key.textures, "Texture",
-             "vec3 textureColour(uint which, TextureRecord t, vec2 st)", "which", "t, st");
-    text.include("texture/textured.glsl");
-  }
-  text.include("bsdf/material.glsl");
-  for (const std::string& bsdf : key.bsdfs) {
-    const auto own = std::find_if(key.userBsdfs.begin(), key.userBsdfs.end(),
-                                  [&](const UserBsdfText& u) { return u.name == bsdf; });
-    if (own != key.userBsdfs.end())
-      userBsdf(*own, text);
-    else
-      text.line("#include \"bsdf/{}.glsl\"", bsdf);
-  }
-  dispatch(text, key.bsdfs, "Eval",
-           "vec3 evalBsdf(Material m, vec3 normal, vec3 wi, vec3 wo, vec3 light)", "m.bsdf",
-           "m, normal, wi, wo, light");
-  dispatch(text, key.bsdfs, "Pdf", "float pdfBsdf(Material m, vec3 normal, vec3 wi, vec3 wo)",
-           "m.bsdf", "m, normal, wi, wo");
-  dispatch(text, key.bsdfs, "Sample",
-           "vec3 sampleBsdf(Material m, vec3 normal, vec3 wi, vec2 numbers, out vec3 wo)", "m.bsdf",
-           "m, normal, wi, numbers, wo");
+  text.append(materialText(key));
   text.include("emitter/point.glsl");
   text.line("#include \"emitter/{}.glsl\"", key.background);
 }
@@ -237,7 +166,7 @@ std::string compose(const TraceKey& key) {
     shading(key, text);
   properties(key, text);
   if (!key.userFile.empty()) {
-    userText(key.userFile, key.userText, text);
+    text.user(key.userFile, key.userText);
   } else if (key.integrator == "centres") {
     text.include("film/centres.glsl");
   } else {

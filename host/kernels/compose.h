@@ -13,6 +13,10 @@ namespace laver {
 std::string compose(const TraceKey& key);
 std::string compose(const GatherKey& key);
 
+/// What a kernel knows of materials, with includes that are not expanded: the struct Material,
+/// textures, `materialOf(Surface)`, the BSDFs, and functions that call the right one of them.
+std::string materialText(const TraceKey& key);
+
 /// The text of the trace kernel before its main function, followed by `main`. For tests that trace
 /// their own rays.
 std::string composeWith(const TraceKey& key, std::string_view main);

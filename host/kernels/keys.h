@@ -24,13 +24,24 @@ struct KernelProperty {
   bool operator==(const KernelProperty&) const = default;
 };
 
-/// A BSDF from a user's file. Its float properties are `xml_NAME` in its text.
-struct UserBsdfText {
-  std::string name, file, text;
-  std::vector<std::string>
-      numbers;  ///< names of float properties, in the order of Material::numbers
+/// A BSDF of a kernel. Its properties are `xml_NAME` in its text.
+struct BsdfText {
+  std::string name;
+  std::vector<std::string> colors{}, numbers{};  ///< names, in the order of materials' records
+  std::string file{}, text{};  ///< of one of the user's own
 
-  bool operator==(const UserBsdfText&) const = default;
+  bool operator==(const BsdfText&) const = default;
+};
+
+/// The record of a material on the device, in texels of four words: its colours, beside the first
+/// of them the BSDF's place in the key; its numbers, four per texel; and for each property that a
+/// texture stands for in some material 1 + the texture's place, or 0, four per texel.
+struct MaterialLayout {
+  std::uint32_t colors = 1, numbers = 0;                  ///< the most that a BSDF has
+  std::uint32_t texturedColors = 0, texturedNumbers = 0;  ///< bit i: of the i-th one
+
+  std::uint32_t texels() const;
+  bool operator==(const MaterialLayout&) const = default;
 };
 
 /// Everything that determines the text of a trace kernel. Features that are false, zero or empty
@@ -41,16 +52,16 @@ struct TraceKey {
   std::string camera = "perspective";
   std::string sampler = "independent";
   std::string background = "none";
-  std::vector<std::string> bsdfs;       ///< of the scene; empty if the integrator needs none
-  std::vector<UserBsdfText> userBsdfs;  ///< those of `bsdfs` that come from users' files
-  std::vector<std::string> textures;    ///< of the scene
+  std::vector<BsdfText> bsdfs;        ///< of the scene; empty if the integrator needs none
+  std::vector<std::string> textures;  ///< of the scene
+  MaterialLayout layout;
   Traversal traversal = Traversal::Lane;
   std::uint32_t stack = 64;      ///< entries of the traversal's stack
   std::uint32_t jumpLevels = 0;  ///< number of tables that `independent` needs, 1 to 3
   bool hits = true;              ///< hits affect the result; otherwise no ray is traced
   bool normals = false;          ///< some mesh has vertex normals that affect the result
   bool materials = false;        ///< the meshes differ in their materials
-  bool bsdfRecords = false;      ///< Material records hold a BSDF's index and its numbers
+  bool bsdfRecords = false;      ///< materials' records hold more than an albedo
   bool spheres = false;          ///< some mesh is a sphere
   bool lights = false;           ///< point lights affect the result
   bool manyLights = false;       ///< the lights of a pass take several dispatches

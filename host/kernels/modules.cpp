@@ -11,7 +11,7 @@ std::vector<std::string> commonKernels() {
   std::vector<std::string> texts;
   TraceKey whitted;
   whitted.integrator = "direct_whitted";
-  whitted.bsdfs = {"diffuse"};
+  whitted.bsdfs = {{.name = "diffuse", .colors = {"albedo"}}};
   whitted.lights = true;
   whitted.jumpLevels = 2;
   for (const Traversal traversal : {Traversal::Packet32, Traversal::Packet64})

@@ -3,7 +3,44 @@
 #include <cmath>
 #include <utility>
 
+#include "reference/texture.h"
+
 namespace laver::reference {
+
+namespace {
+
+std::size_t placeOf(const BsdfRow& row, std::string_view property) {
+  std::size_t i = 0;
+  while (row.properties.at(i).name != property) ++i;
+  return i;
+}
+
+}  // namespace
+
+double luminance(glm::dvec3 color) { return glm::dot(color, {0.212671, 0.715160, 0.072169}); }
+
+// A texture that stands for a number shows its luminance, as in Nori.
+BsdfPoint::BsdfPoint(const Bsdf& b, glm::dvec2 uv, glm::dvec3 unitNormal)
+    : bsdf(b), normal(unitNormal) {
+  for (std::size_t i = 0; i < b.row->properties.size(); ++i) {
+    const PropertyRow& property = b.row->properties[i];
+    const bool number = property.type == PropertyType::Float;
+    if (const Texture* texture = b.texture(property.name)) {
+      const glm::dvec3 shown = colorOf(*texture, uv);
+      values_.at(i) = number ? glm::dvec3(luminance(shown)) : shown;
+    } else if (number) {
+      values_.at(i) = glm::dvec3(b.real(property.name));
+    } else if (property.type == PropertyType::Color) {
+      values_.at(i) = b.color(property.name);
+    }
+  }
+}
+
+glm::dvec3 BsdfPoint::color(std::string_view property) const {
+  return values_[placeOf(*bsdf.row, property)];
+}
+
+double BsdfPoint::real(std::string_view property) const { return color(property).x; }
 
 double fresnel(double cosine, double outside, double inside) {
   if (outside == inside) return 0.0;

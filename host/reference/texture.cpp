@@ -6,10 +6,7 @@
 
 namespace laver::reference {
 
-namespace {
-
-// Linear value of the pixel in column x, row y.
-glm::dvec3 pixel(const Picture& picture, bool raw, int x, int y) {
+glm::dvec3 pixelAt(const Picture& picture, bool raw, int x, int y) {
   glm::dvec3 color;
   for (int c = 0; c < 3; ++c) {
     const auto channel = static_cast<std::size_t>(c);
@@ -30,8 +27,6 @@ glm::dvec3 pixel(const Picture& picture, bool raw, int x, int y) {
   return color;
 }
 
-}  // namespace
-
 glm::dvec3 interpolated(const Picture& picture, bool raw, double x, double y, bool repeats) {
   const int width = widthOf(picture), height = heightOf(picture);
   const auto within = [](std::int64_t i, int size) {
@@ -46,16 +41,21 @@ glm::dvec3 interpolated(const Picture& picture, bool raw, double x, double y, bo
                             (1.0 - std::abs(y - 0.5 - static_cast<double>(row)));
       const int shown = repeats ? within(row, height)
                                 : static_cast<int>(std::clamp<std::int64_t>(row, 0, height - 1));
-      sum += weight * pixel(picture, raw, within(column, width), shown);
+      sum += weight * pixelAt(picture, raw, within(column, width), shown);
     }
   }
   return sum;
 }
 
-glm::dvec3 albedoAt(const Bsdf& bsdf, glm::dvec2 uv) {
-  if (!bsdf.texture) return bsdf.albedo;
-  const Texture& texture = *bsdf.texture;
+glm::dvec3 colorOf(const Texture& texture, glm::dvec2 uv) {
   return texture.row->color(texture, texture.scale * uv + texture.offset);
+}
+
+glm::dvec3 albedoAt(const Bsdf& bsdf, glm::dvec2 uv) {
+  const PropertyRow* property = albedoOf(*bsdf.row);
+  if (property == nullptr) return glm::dvec3(1.0);
+  const Texture* texture = bsdf.texture(property->name);
+  return texture != nullptr ? colorOf(*texture, uv) : bsdf.color(property->name);
 }
 
 }  // namespace laver::reference

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "reference/openness.h"
-#include "reference/texture.h"
 
 namespace laver::reference {
 
@@ -100,7 +99,7 @@ Surface World::surface(const WorldHit& hit) const {
   surface.geometric = surface.shading = hit.normal;
   surface.uv = uvOf(hit.normal);
   surface.mesh = &scene_->meshes[sphere.mesh];
-  surface.albedo = albedoAt(surface.mesh->bsdf, surface.uv);
+  surface.textureUv = surface.uv;
   // As below: half an ulp per term and component, and again for the offset position.
   surface.offset =
       8 * 0x1p-53 * glm::dot(glm::abs(surface.geometric), glm::abs(sphere.centre) + sphere.radius);
@@ -146,7 +145,7 @@ Surface World::surface(const TreeHit& hit) const {
     uv = glm::dvec2(0.0);
     for (int i = 0; i < 3; ++i) uv += given[static_cast<std::size_t>(i)] * mesh.uvs[indices[i]];
   }
-  surface.albedo = albedoAt(mesh.bsdf, uv);
+  surface.textureUv = uv;
   surface.mesh = &mesh;
   // Bound of the distance between position and plane: half an ulp per component, and again for the
   // offset position, is below 2 * 2^-53 * sum |n_i| size_i; 8 covers neighbours whose corners were

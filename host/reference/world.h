@@ -16,10 +16,10 @@ struct Surface {
   glm::dvec3 position;   ///< the weighted mean of the corners
   glm::dvec3 geometric;  ///< unit normal of the triangle's plane, oriented by the winding
   glm::dvec3 shading;    ///< unit normal from the vertex normals, else the geometric one
-  glm::dvec3 albedo;
-  const Mesh* mesh;  ///< of the primitive
-  double offset;     ///< bound of the rounding of `position` along the normal
-  glm::dvec2 uv;     ///< of a sphere, or interpolated from vertices; 0 without coordinates
+  glm::dvec2 textureUv;  ///< of textures: barycentric weights without coordinates
+  const Mesh* mesh;      ///< of the primitive
+  double offset;         ///< bound of the rounding of `position` along the normal
+  glm::dvec2 uv;         ///< of a sphere, or interpolated from vertices; 0 without coordinates
 };
 
 /// The nearest hit of a ray: a triangle, or else a sphere.

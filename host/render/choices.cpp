@@ -35,46 +35,11 @@ std::string filterText(const Filter& filter, bool noriTable) {
                                              : filter.row->name;
 }
 
-void addOnce(std::vector<std::string>& names, const std::string& name) {
-  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-}
-
-std::vector<std::string> bsdfsOf(const Scene& scene) {
-  std::vector<std::string> names;
-  for (const Mesh& mesh : scene.meshes) addOnce(names, bsdfName(mesh));
-  if (names.empty()) names.emplace_back(bsdfs::diffuse.name);
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-std::vector<std::string> texturesOf(const Scene& scene) {
-  std::vector<std::string> names;
-  for (const Mesh& mesh : scene.meshes)
-    if (isVisible(mesh.bsdf.texture)) addOnce(names, textureName(*mesh.bsdf.texture));
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-/// Texts of the users' BSDFs, without duplicates.
-std::vector<UserBsdfText> userBsdfsOf(const Scene& scene) {
-  std::vector<UserBsdfText> texts;
-  for (const Mesh& mesh : scene.meshes) {
-    const auto& user = mesh.bsdf.user;
-    if (!user || std::any_of(texts.begin(), texts.end(),
-                             [&](const UserBsdfText& text) { return text.name == user->name; }))
-      continue;
-    texts.push_back({user->name, user->file, user->text, {}});
-    for (const PropertyRow& property : user->row.properties)
-      if (property.type == PropertyType::Float) texts.back().numbers.emplace_back(property.name);
-  }
-  return texts;
-}
-
-/// Whether the meshes' records differ visibly.
+/// Whether the meshes' records differ in what a surface shows.
 bool materialsDiffer(const Scene& scene) {
   const auto& meshes = scene.meshes;
   return std::any_of(meshes.begin(), meshes.end(), [&](const Mesh& m) {
-    return !sameMaterial(m, meshes.front()) || (m.bsdf.texture && meshes.size() > 1);
+    return !alike(m, meshes.front()) || (hasTextures(m) && meshes.size() > 1);
   });
 }
 
@@ -83,10 +48,9 @@ bool emits(const Scene& scene) {
                      [](const Mesh& mesh) { return mesh.light.has_value(); });
 }
 
-/// Records are needed if a BSDF has numbers besides its colour, or if there are several BSDFs.
-bool needsBsdfRecords(const Scene& scene) {
-  return bsdfsOf(scene).size() > 1 ||
-         std::any_of(scene.meshes.begin(), scene.meshes.end(), hasNumbers);
+/// Whether a record says more than an albedo: the BSDF of several, further properties, textures.
+bool needsBsdfRecords(const TraceKey& key) {
+  return key.bsdfs.size() > 1 || key.layout != MaterialLayout{};
 }
 
 void noteImage(const std::shared_ptr<const Picture>& image, TraceKey& key) {
@@ -97,7 +61,7 @@ void noteImage(const std::shared_ptr<const Picture>& image, TraceKey& key) {
 /// Sets the part of the key for materials, textures and lights.
 void keyOfShading(const Scene& scene, const IntegratorRow& row, bool surfaces, TraceKey& key) {
   key.bsdfs = bsdfsOf(scene);
-  key.userBsdfs = userBsdfsOf(scene);
+  key.layout = layoutOf(scene);
   key.lights = row.needs.lights && !scene.lights.empty();
   key.manyLights =
       key.lights && !row.needs.emitters && scene.lights.size() > shared::LIGHTS_PER_DISPATCH;
@@ -113,10 +77,10 @@ void keyOfShading(const Scene& scene, const IntegratorRow& row, bool surfaces, T
   }
   if (!surfaces) return;
   key.materials = materialsDiffer(scene) || (key.emission && scene.meshes.size() > 1);
-  key.bsdfRecords = needsBsdfRecords(scene);
+  key.bsdfRecords = needsBsdfRecords(key);
   key.textures = texturesOf(scene);
   for (const Mesh& mesh : scene.meshes)
-    if (isVisible(mesh.bsdf.texture)) noteImage(mesh.bsdf.texture->image, key);
+    for (const NamedTexture& named : mesh.bsdf.textures) noteImage(named.texture.image, key);
 }
 
 std::string number(double x) {
@@ -200,13 +164,14 @@ Uploads uploadsOf(const Scene& scene, const std::vector<PictureChoice>& pictures
     uploads.primitives |= key.hits;
     uploads.normals |= key.normals;
     uploads.attributes |= key.normals || key.materials;
-    uploads.materials |= key.bsdfRecords || (key.materials && key.textures.empty());
+    uploads.materials |= key.bsdfRecords || key.materials;
     uploads.textures |= !key.textures.empty();
     uploads.lights |= key.lights;
     uploads.emission |= key.sources;
     uploads.jumpLevels = std::max(uploads.jumpLevels, key.jumpLevels);
     uploads.background |= key.background != "none";
   }
+  uploads.layout = layoutOf(scene);
   uploads.bsdfs = bsdfsOf(scene);
   uploads.textureKinds = texturesOf(scene);
   uploads.noriTable = options.noriCompat;
@@ -288,6 +253,13 @@ const std::vector<std::string>& generalParts() {
 
 namespace {
 
+/// Any property may be a texture.
+MaterialLayout allTextured(MaterialLayout layout) {
+  layout.texturedColors = (1U << layout.colors) - 1;
+  layout.texturedNumbers = (1U << layout.numbers) - 1;
+  return layout;
+}
+
 void generaliseKey(TraceKey& key, const std::string& part, bool stream) {
   if (part == "stack") key.stack = std::max(key.stack, kLikelyStack);
   if (part == "normals") key.normals = true;
@@ -295,7 +267,11 @@ void generaliseKey(TraceKey& key, const std::string& part, bool stream) {
   if (part == "bsdf records") key.bsdfRecords = true;
   if (part == "lights") key.lights = key.manyLights = true;
   if (part == "jump levels" && stream) key.jumpLevels = 3;
-  if (part == "textures" && !key.bsdfs.empty()) key.textures = allTextureNames();
+  if (part == "textures" && !key.bsdfs.empty()) {
+    key.textures = allTextureNames();
+    key.layout = allTextured(key.layout);
+    key.bsdfRecords = true;
+  }
   if (part == "images") key.byteImages = key.floatImages = true;
   if (part == "background") key.background = "environment";
   if (part == "hits") key.hits = true;
@@ -316,7 +292,8 @@ Choices generalised(Choices choices, const std::vector<std::string>& parts) {
     if (part == "materials") uploads.attributes = true;
     if (part == "materials" || part == "bsdf records") uploads.materials = true;
     if (part == "textures") {
-      uploads.textures = true;
+      uploads.textures = uploads.materials = true;
+      uploads.layout = allTextured(uploads.layout);
       uploads.textureKinds = allTextureNames();
     }
     if (part == "jump levels" && uploads.jumpLevels != 0) uploads.jumpLevels = 3;

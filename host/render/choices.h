@@ -35,14 +35,16 @@ struct Uploads {
   bool attributes = false;  ///< material and normal indices of triangles
   bool normals = false;     ///< vertex normals
   bool materials = false;   ///< one record per mesh
-  bool textures = false;    ///< one texture record per mesh, texture coordinates
+  bool textures = false;    ///< texture records, texture coordinates
   bool lights = false;
   bool background = false;
   bool emission = false;  ///< radiance that meshes emit, and the light sources of light sampling
-  std::uint32_t jumpLevels = 0;                  ///< levels of the tables that `independent` needs
-  bool noriTable = false;                        ///< filter weights from Nori's table
-  std::uint32_t indexBytes = 4;                  ///< size of an index in the attributes: 1, 2 or 4
-  std::vector<std::string> bsdfs, textureKinds;  ///< records refer to these indices
+  std::uint32_t jumpLevels = 0;  ///< levels of the tables that `independent` needs
+  bool noriTable = false;        ///< filter weights from Nori's table
+  std::uint32_t indexBytes = 4;  ///< size of an index in the attributes: 1, 2 or 4
+  MaterialLayout layout;
+  std::vector<BsdfText> bsdfs;            ///< records refer to these indices
+  std::vector<std::string> textureKinds;  ///< so do the textures' records
 };
 
 /// Every decision of a render, made before it starts, with its reason. Only the depth of the

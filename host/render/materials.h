@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -8,21 +9,29 @@
 // The kernels' view of meshes' materials.
 namespace laver {
 
-/// Names of GLSL files in bsdf/ and texture/.
-std::string bsdfName(const Mesh& mesh);
-std::string textureName(const Texture& texture);
-const std::vector<std::string>& allTextureNames();
+/// What the kernels of a scene hold of its BSDFs, sorted by name; `diffuse` where it has no mesh.
+std::vector<BsdfText> bsdfsOf(const Scene& scene);
+/// Names of the textures that show, sorted: GLSL files below texture/.
+std::vector<std::string> texturesOf(const Scene& scene);
+std::vector<std::string> allTextureNames();
+/// The records of its meshes.
+MaterialLayout layoutOf(const Scene& scene);
 
-/// Whether a texture is more than a colour; an image that was not read is not.
-bool isVisible(const std::optional<Texture>& texture);
+/// Whether a texture shows more than a colour: an image that was not read shows none.
+bool shows(const Texture& texture);
+/// Whether some texture of a mesh does.
+bool hasTextures(const Mesh& mesh);
 
-/// Whether a BSDF has numbers besides its colour.
-bool hasNumbers(const Mesh& mesh);
-/// Whether two meshes' records are the same.
-bool sameMaterial(const Mesh& a, const Mesh& b);
+/// Whether two meshes' records are the same, their textures aside.
+bool alike(const Mesh& a, const Mesh& b);
 
+/// The first colour of its BSDF; white where it has none.
 glm::dvec3 albedoOf(const Mesh& mesh);
-/// The record of a mesh; its BSDF is an index into `bsdfs`.
-shared::Material materialOf(const Mesh& mesh, const std::vector<std::string>& bsdfs);
+
+/// The record of a mesh, whose BSDF is numbered by its place in `bsdfs`. `placeOf` says where in
+/// their array a texture stands.
+std::vector<std::uint32_t> recordOf(const Bsdf& bsdf, const MaterialLayout& layout,
+                                    const std::vector<BsdfText>& bsdfs,
+                                    const std::function<std::uint32_t(const Texture&)>& placeOf);
 
 }  // namespace laver

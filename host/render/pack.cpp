@@ -40,8 +40,13 @@ class MeshPacker {
  private:
   /// Adds the records of the mesh and returns their index.
   std::uint32_t addMaterial(const Mesh& mesh) {
-    if (uploads_.textures) textures_.addRecord(mesh, nextId_);
-    if (uploads_.materials) packed_.materials.push_back(materialOf(mesh, uploads_.bsdfs));
+    if (uploads_.textures) textures_.beginMesh(mesh, nextId_);
+    if (uploads_.materials) {
+      const auto record =
+          recordOf(mesh.bsdf, uploads_.layout, uploads_.bsdfs,
+                   [&](const Texture& texture) { return textures_.addRecord(texture); });
+      packed_.materials.insert(packed_.materials.end(), record.begin(), record.end());
+    }
     return meshes_++;
   }
 

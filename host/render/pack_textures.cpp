@@ -9,31 +9,27 @@ namespace laver {
 using glm::vec2;
 using glm::vec3;
 
-/// 1 + the index of the texture's kind. A texture without visible effect, such as an image that was
-/// not read, has the colour of its record.
-std::uint32_t TexturePacker::kindOf(const std::optional<Texture>& texture) const {
-  if (!isVisible(texture)) return shared::TEXTURE_NONE;
-  const auto kind = std::find(kinds_.begin(), kinds_.end(), textureName(*texture));
-  return static_cast<std::uint32_t>(kind - kinds_.begin()) + 1;
+void TexturePacker::beginMesh(const Mesh& mesh, std::uint32_t firstId) {
+  textured_ = hasTextures(mesh);
+  uvs_ = static_cast<std::uint32_t>(packed_.uvs.size() / 3) - firstId;
 }
 
-void TexturePacker::addRecord(const Mesh& mesh, std::uint32_t firstId) {
+std::uint32_t TexturePacker::addRecord(const Texture& texture) {
+  const auto kind = std::find(kinds_.begin(), kinds_.end(), texture.row->name);
   shared::Texture record{};
-  record.kind = kindOf(mesh.bsdf.texture);
-  record.color1 = vec3(mesh.bsdf.albedo);
-  if (const auto& texture = mesh.bsdf.texture) {
-    record.color1 = vec3(texture->colors[0]);
-    record.color2 = vec3(texture->colors[1]);
-    record.scale = vec2(texture->scale);
-    record.offset = vec2(texture->offset);
-    if (texture->image) record.image = add(*texture->image, texture->raw);
-  }
-  record.uvs = static_cast<std::uint32_t>(packed_.uvs.size() / 3) - firstId;
+  record.kind = static_cast<std::uint32_t>(kind - kinds_.begin());
+  record.color1 = vec3(texture.colors[0]);
+  record.color2 = vec3(texture.colors[1]);
+  record.scale = vec2(texture.scale);
+  record.offset = vec2(texture.offset);
+  if (texture.image) record.image = add(*texture.image, texture.raw, texture.red);
+  record.uvs = uvs_;
   packed_.textures.push_back(record);
+  return static_cast<std::uint32_t>(packed_.textures.size() - 1);
 }
 
 void TexturePacker::addTriangle(const Mesh& mesh, glm::uvec3 given, glm::uvec3 stored) {
-  if (packed_.textures.back().kind == shared::TEXTURE_NONE) return;
+  if (!textured_) return;
   for (int corner = 0; corner < 3; ++corner) {
     const std::uint32_t vertex = stored[corner];
     // Without coordinates, u and v are the barycentric weights of the second and the third corner.
@@ -60,7 +56,7 @@ void TexturePacker::packBackground(const Environment& environment) {
     p.backgroundZ = vec3(glm::normalize(axis));
     p.backgroundCosine = static_cast<float>(std::cos(glm::radians(environment.angle)));
   }
-  if (environment.image) p.backgroundImage = add(*environment.image, environment.raw);
+  if (environment.image) p.backgroundImage = add(*environment.image, environment.raw, false);
 }
 
 std::uint32_t TexturePacker::tableOf(bool raw) {
@@ -74,17 +70,20 @@ std::uint32_t TexturePacker::tableOf(bool raw) {
   return entry->second;
 }
 
-shared::ImageRef TexturePacker::add(const Picture& picture, bool raw) {
+shared::ImageRef TexturePacker::add(const Picture& picture, bool raw, bool red) {
   const auto* bitmap = std::get_if<Bitmap>(&picture);
   const std::uint32_t table = bitmap != nullptr ? tableOf(raw) : shared::NO_TABLE;
   std::vector<std::uint32_t>& words = packed_.images;
-  const auto [entry, added] = pictures_.emplace(&picture, static_cast<std::uint32_t>(words.size()));
+  const auto [entry, added] =
+      pictures_.emplace(std::pair(&picture, red), static_cast<std::uint32_t>(words.size()));
   if (added && bitmap != nullptr) {
     for (const Rgb8& p : bitmap->pixels)
-      words.push_back(static_cast<std::uint32_t>(p[0] | p[1] << 8 | p[2] << 16));
+      words.push_back(
+          static_cast<std::uint32_t>(p[0] | p[red ? 0 : 1] << 8 | p[red ? 0 : 2] << 16));
   } else if (added) {
-    for (const float value : std::get<Image>(picture).pixels)
-      words.push_back(shared::floatBitsToUint(value));
+    const auto& pixels = std::get<Image>(picture).pixels;
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+      words.push_back(shared::floatBitsToUint(pixels[red ? i - i % 3 : i]));
   }
   return {entry->second, static_cast<std::uint32_t>(widthOf(picture)),
           static_cast<std::uint32_t>(heightOf(picture)), table};

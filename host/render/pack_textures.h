@@ -11,26 +11,31 @@ class TexturePacker {
   explicit TexturePacker(Packed& packed, const std::vector<std::string>& kinds)
       : packed_(packed), kinds_(kinds) {}
 
-  /// Adds the texture record of a mesh whose first triangle has the number `firstId`.
-  void addRecord(const Mesh& mesh, std::uint32_t firstId);
+  /// The records and triangles that follow are those of a mesh, whose first triangle has the number
+  /// `firstId`.
+  void beginMesh(const Mesh& mesh, std::uint32_t firstId);
 
-  /// Adds the texture coordinates of the mesh's next triangle, if it has a texture. `stored` is a
-  /// permutation of the corners `given` in the file.
+  /// Adds the record of a texture; returns its place.
+  std::uint32_t addRecord(const Texture& texture);
+
+  /// Adds the texture coordinates of the next triangle, if its mesh shows a texture: for the
+  /// corners of `stored`, which are those of `given` in another order.
   void addTriangle(const Mesh& mesh, glm::uvec3 given, glm::uvec3 stored);
 
   /// Fills the background's part of packed.params.
   void packBackground(const Environment& environment);
 
  private:
-  shared::ImageRef add(const Picture& picture, bool raw);
+  /// `red`: the red channel for all three.
+  shared::ImageRef add(const Picture& picture, bool raw, bool red);
   std::uint32_t tableOf(bool raw);
-
-  std::uint32_t kindOf(const std::optional<Texture>& texture) const;
 
   Packed& packed_;
   const std::vector<std::string>& kinds_;
-  std::map<const Picture*, std::uint32_t> pictures_;  ///< first word
-  std::map<bool, std::uint32_t> tables_;              ///< by `raw`
+  std::map<std::pair<const Picture*, bool>, std::uint32_t> pictures_;  ///< first word
+  std::map<bool, std::uint32_t> tables_;                               ///< by `raw`
+  bool textured_ = false;                                              ///< the mesh
+  std::uint32_t uvs_ = 0;  ///< of the mesh: shared::Texture::uvs
 };
 
 }  // namespace laver

@@ -37,12 +37,12 @@ struct Packed {
   std::vector<std::byte>
       attributes;  ///< shared::Attributes per triangle, in the order of the leaves
   std::vector<glm::vec4> normals;
-  std::vector<shared::Material> materials;
+  std::vector<std::uint32_t> materials;  ///< records of Uploads::layout, one per mesh
   std::vector<shared::Light> lights;
   std::vector<shared::Jump> jumps;
-  std::vector<shared::Texture> textures;  ///< one per mesh
-  std::vector<glm::vec2> uvs;             ///< three per triangle with a texture
-  std::vector<std::uint32_t> images;      ///< all images and their tables
+  std::vector<shared::Texture> textures;
+  std::vector<glm::vec2> uvs;              ///< three per triangle with a texture
+  std::vector<std::uint32_t> images;       ///< all images and their tables
   std::vector<shared::Emission> emission;  ///< one per mesh
   std::vector<shared::Source> sources;     ///< of light sampling
   shared::Params params{};

@@ -99,7 +99,8 @@ Reason materials(const Facts& f) {
   if (f.uploads.attributes && (f.uploads.materials || f.uploads.textures))
     return {"materials", countOf(meshes, f.uploads.textures ? "texture" : "material"),
             "the meshes differ", "", 0};
-  const std::uint64_t records = f.uploads.textures ? 0 : meshes * sizeof(shared::Material);
+  const std::uint64_t records =
+      f.uploads.materials ? 0 : meshes * f.uploads.layout.texels() * sizeof(glm::uvec4);
   const std::uint64_t bytes =
       f.traced()
           ? records + f.attributeBytes(f.uploads.normals, f.uploads.indexBytes) - f.attributeBytes()
@@ -124,7 +125,9 @@ std::string joined(const std::vector<std::string>& names) {
 Reason materialBsdfs(const Facts& f) {
   if (!f.coloured || !f.traced())
     return {"BSDFs", "left out", fmt::format("{} shows none", f.shownBy()), "", 0};
-  return {"BSDFs", joined(f.uploads.bsdfs), "those of the meshes", "the others", 0};
+  std::vector<std::string> names;
+  for (const BsdfText& bsdf : f.uploads.bsdfs) names.push_back(bsdf.name);
+  return {"BSDFs", joined(names), "those of the meshes", "the others", 0};
 }
 
 Reason surfaceTextures(const Facts& f) {

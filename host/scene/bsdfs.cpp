@@ -1,66 +1,11 @@
 #include "scene/bsdfs.h"
 
 #include <filesystem>
+#include <utility>
 
 #include "scene/user_text.h"
 
 namespace laver {
-
-// host/reference/bsdf/NAME.cpp
-namespace reference {
-glm::dvec3 diffuseEval(const BsdfPoint& point, glm::dvec3 wi, glm::dvec3 wo);
-double diffusePdf(const BsdfPoint& point, glm::dvec3 wi, glm::dvec3 wo);
-BsdfSample diffuseSample(const BsdfPoint& point, glm::dvec3 wi, glm::dvec2 numbers);
-glm::dvec3 mirrorEval(const BsdfPoint& point, glm::dvec3 wi, glm::dvec3 wo);
-double mirrorPdf(const BsdfPoint& point, glm::dvec3 wi, glm::dvec3 wo);
-BsdfSample mirrorSample(const BsdfPoint& point, glm::dvec3 wi, glm::dvec2 numbers);
-glm::dvec3 dielectricEval(const BsdfPoint& point, glm::dvec3 wi, glm::dvec3 wo);
-double dielectricPdf(const BsdfPoint& point, glm::dvec3 wi, glm::dvec3 wo);
-BsdfSample dielectricSample(const BsdfPoint& point, glm::dvec3 wi, glm::dvec2 numbers);
-}  // namespace reference
-
-namespace bsdfs {
-
-const BsdfRow diffuse{.name = "diffuse",
-                      .object = "Diffuse",
-                      .properties = {{.name = "albedo",
-                                      .type = PropertyType::Color,
-                                      .start = glm::dvec3(0.5),
-                                      .meaning = "share of the light that is reflected"}},
-                      .eval = reference::diffuseEval,
-                      .pdf = reference::diffusePdf,
-                      .sample = reference::diffuseSample};
-
-static const BsdfRow mirror{.name = "mirror",
-                            .object = "Mirror",
-                            .delta = true,
-                            .eval = reference::mirrorEval,
-                            .pdf = reference::mirrorPdf,
-                            .sample = reference::mirrorSample};
-
-static const BsdfRow dielectric{.name = "dielectric",
-                                .object = "Dielectric",
-                                .properties = {{.name = "intIOR",
-                                                .type = PropertyType::Float,
-                                                .start = 1.5046,
-                                                .range = moreThan(0.0),
-                                                .meaning = "index of refraction inside"},
-                                               {.name = "extIOR",
-                                                .type = PropertyType::Float,
-                                                .start = 1.000277,
-                                                .range = moreThan(0.0),
-                                                .meaning = "index of refraction outside"}},
-                                .delta = true,
-                                .eval = reference::dielectricEval,
-                                .pdf = reference::dielectricPdf,
-                                .sample = reference::dielectricSample};
-
-}  // namespace bsdfs
-
-const Rows<BsdfRow>& bsdfRows() {
-  static const Rows<BsdfRow> rows = {&bsdfs::diffuse, &bsdfs::mirror, &bsdfs::dielectric};
-  return rows;
-}
 
 std::shared_ptr<UserBsdf> userBsdf(const std::string& file) {
   std::optional<std::string> text = userText(file);
@@ -73,10 +18,47 @@ std::shared_ptr<UserBsdf> userBsdf(const std::string& file) {
   return user;
 }
 
+const Texture* Bsdf::texture(std::string_view property) const {
+  for (const NamedTexture& named : textures)
+    if (named.property == property) return &named.texture;
+  return nullptr;
+}
+
+Texture* Bsdf::texture(std::string_view property) {
+  return const_cast<Texture*>(std::as_const(*this).texture(property));
+}
+
+void Bsdf::show(std::string_view property, Texture shown) {
+  if (Texture* before = texture(property))
+    *before = std::move(shown);
+  else
+    textures.push_back({std::string(property), std::move(shown)});
+}
+
+std::vector<const PropertyRow*> propertiesOf(const BsdfRow& row, PropertyType type) {
+  std::vector<const PropertyRow*> found;
+  for (const PropertyRow& property : row.properties)
+    if (property.type == type) found.push_back(&property);
+  return found;
+}
+
+const PropertyRow* albedoOf(const BsdfRow& row) {
+  for (const PropertyRow& property : row.properties)
+    if (property.type == PropertyType::Color) return &property;
+  return nullptr;
+}
+
+std::vector<glm::dvec3> colorsOf(const Bsdf& bsdf) {
+  std::vector<glm::dvec3> colors;
+  for (const PropertyRow* property : propertiesOf(*bsdf.row, PropertyType::Color))
+    colors.push_back(bsdf.color(property->name));
+  return colors;
+}
+
 std::vector<double> numbersOf(const Bsdf& bsdf) {
   std::vector<double> numbers;
-  for (const PropertyRow& property : bsdf.row->properties)
-    if (property.type == PropertyType::Float) numbers.push_back(bsdf.real(property.name));
+  for (const PropertyRow* property : propertiesOf(*bsdf.row, PropertyType::Float))
+    numbers.push_back(bsdf.real(property->name));
   return numbers;
 }
 

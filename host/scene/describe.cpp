@@ -68,15 +68,20 @@ std::string describeTexture(const Texture& texture) {
   return fmt::format("{}[{}, {}]", texture.row->object, texture.row->describe(texture), place);
 }
 
+std::string describeProperty(const Bsdf& bsdf, const PropertyRow& property) {
+  if (const Texture* texture = bsdf.texture(property.name)) return describeTexture(*texture);
+  if (property.type == PropertyType::String)
+    return fmt::format(
+        "\"{}\"", std::get<std::string>(valueOf(bsdf.row->properties, bsdf.values, property.name)));
+  if (property.type == PropertyType::Color) return triple(bsdf.color(property.name));
+  return fmt::format("{:f}", bsdf.real(property.name));
+}
+
 std::string describeBsdf(const Bsdf& bsdf) {
   std::string properties;
   for (const PropertyRow& property : bsdf.row->properties) {
-    const bool colour = property.type == PropertyType::Color;
-    const std::string value = !colour        ? fmt::format("{:f}", bsdf.real(property.name))
-                              : bsdf.texture ? describeTexture(*bsdf.texture)
-                                             : triple(bsdf.albedo);
-    properties +=
-        fmt::format("{}        {} = {}", properties.empty() ? "\n" : ",\n", property.name, value);
+    properties += fmt::format("{}        {} = {}", properties.empty() ? "\n" : ",\n", property.name,
+                              describeProperty(bsdf, property));
   }
   return fmt::format("{}[{}{}]", bsdf.row->object, properties,
                      properties.empty() ? "" : "\n      ");

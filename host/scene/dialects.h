@@ -9,6 +9,7 @@ struct Dialect {
   std::vector<const char*> spellings{};
   bool mirrored = false;        ///< the camera's +x is on the right of the film, not on the left
   bool emittersAbsorb = false;  ///< a surface that emits reflects nothing
+  bool textmapMirrored = false;  ///< the texture `textmap` is mirrored in u, its values linear
 };
 
 /// "base" first, which is what a scene means if nothing is said.

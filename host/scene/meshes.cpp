@@ -17,12 +17,12 @@ void buildObj(const Properties& given, std::string_view, Draft& draft) {
     name = given.text("filename");
     if (name.empty()) given.error("filename", "filename is empty, expected an OBJ file");
   }
-  draft.meshes.push_back({given.offset(), name, given.transform("toWorld"), {}, 0, {}});
+  draft.meshes.push_back({given.offset(), name, given.transform("toWorld"), {}, {}, {}});
 }
 
 void buildSphere(const Properties& given, std::string_view, Draft& draft) {
   const Sphere sphere{given.triple("center"), given.real("radius")};
-  draft.meshes.push_back({given.offset(), "", glm::dmat4(1.0), {}, 0, sphere});
+  draft.meshes.push_back({given.offset(), "", glm::dmat4(1.0), {}, {}, sphere});
 }
 
 }  // namespace

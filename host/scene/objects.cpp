@@ -5,6 +5,7 @@
 
 #include "scene/properties.h"
 #include "scene/schema.h"
+#include "scene/suggest.h"
 
 namespace laver::xml {
 namespace {
@@ -84,6 +85,27 @@ std::vector<ObjectRule> makeRules() {
   return rules;
 }
 
+/// Replaces the name of a material by the values that it stands for. Those that the file gives
+/// count more.
+void nameMaterial(const Properties& given, Bsdf& bsdf) {
+  const std::string* name = nullptr;
+  for (const NamedValue& value : bsdf.values)
+    if (value.name == "material") name = std::get_if<std::string>(&value.value);
+  if (name == nullptr || name->empty()) return;
+  if (bsdf.row->ofMaterial != nullptr) bsdf.row = bsdf.row->ofMaterial;
+  std::vector<std::string_view> names;
+  for (const NamedMaterial& material : bsdf.row->materials) {
+    names.emplace_back(material.name);
+    if (material.name != *name) continue;
+    Values values = material.values;
+    for (const NamedValue& own : bsdf.values) setValue(values, own.name, own.value);
+    bsdf.values = std::move(values);
+    return;
+  }
+  given.error("material", fmt::format("{} has no material {}: expected {}", nameOf(given.rule()),
+                                      inQuotes(*name), expectedNames(*name, names)));
+}
+
 }  // namespace
 
 void takeIntegrator(const IntegratorUse& use, Draft& draft) {
@@ -95,14 +117,9 @@ void takeIntegrator(const IntegratorUse& use, Draft& draft) {
 void takeBsdf(const BsdfRow& row, const std::shared_ptr<const UserBsdf>& user,
               const Properties& given, Draft& draft) {
   if (draft.meshes.empty()) return;
-  Bsdf bsdf{.row = &row, .albedo = glm::dvec3(1.0), .user = user};
-  for (const PropertyRow& property : row.properties) {
-    if (property.type == PropertyType::Color)
-      bsdf.albedo = given.triple(property.name);
-    else if (given.has(property.name))
-      setValue(bsdf.values, property.name, given.real(property.name));
-  }
-  draft.meshes.back().bsdf = std::move(bsdf);
+  Bsdf& bsdf = draft.meshes.back().bsdf;
+  bsdf = {.row = &row, .values = given.values(), .user = user};
+  nameMaterial(given, bsdf);
 }
 
 std::span<const ObjectRule> objectRules() {

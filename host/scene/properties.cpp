@@ -76,7 +76,8 @@ Values Properties::values() const {
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const PropertyRow& row = rule_.properties[i];
     if (!slots_[i].given || !slots_[i].usable) continue;
-    if (row.type == PropertyType::Float || row.type == PropertyType::Integer)
+    if (row.type == PropertyType::Float || row.type == PropertyType::Integer ||
+        row.type == PropertyType::Color)
       checkRange(row.name, slots_[i].value);
     values.push_back({row.name, slots_[i].value});
   }

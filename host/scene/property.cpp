@@ -29,6 +29,8 @@ std::string textOf(const Value& value) {
 std::string rangeText(const PropertyRow& row) {
   const Range& range = row.range;
   const std::string unit = *row.unit == '\0' ? "" : std::string(" ") + row.unit;
+  if (range.min == range.max) return fmt::format("{}{}", range.min, unit);
+  if (range.closed && std::isinf(range.max)) return fmt::format("at least {}", range.min);
   if (range.closed) return fmt::format("{:.0f} to {:.0f}{}", range.min, range.max, unit);
   if (std::isinf(range.min)) return "";
   // 0 needs no unit.
@@ -36,12 +38,15 @@ std::string rangeText(const PropertyRow& row) {
   return fmt::format("more than {} and less than {}{}", range.min, range.max, unit);
 }
 
-std::string problemOf(const PropertyRow& row, const Value& number) {
-  const auto* integer = std::get_if<std::int64_t>(&number);
-  const double value =
-      integer != nullptr ? static_cast<double>(*integer) : std::get<double>(number);
-  if (row.range.contains(value)) return {};
-  return fmt::format("{} must be {}, found {}", row.name, rangeText(row), textOf(number));
+std::string problemOf(const PropertyRow& row, const Value& value) {
+  const auto contains = [&](double x) { return row.range.contains(x); };
+  const auto* integer = std::get_if<std::int64_t>(&value);
+  const auto* color = std::get_if<glm::dvec3>(&value);
+  const bool valid = integer != nullptr ? contains(static_cast<double>(*integer))
+                     : color != nullptr ? contains(color->x) && contains(color->y) && contains(color->z)
+                                        : contains(std::get<double>(value));
+  if (valid) return {};
+  return fmt::format("{} must be {}, found {}", row.name, rangeText(row), textOf(value));
 }
 
 const Value& valueOf(const std::vector<PropertyRow>& rows, const Values& given,

@@ -27,6 +27,7 @@ struct Range {
   bool contains(double x) const { return closed ? x >= min && x <= max : x > min && x < max; }
 };
 constexpr Range moreThan(double min) { return {.min = min}; }
+constexpr Range atLeast(double min) { return {.min = min, .closed = true}; }
 constexpr Range between(double min, double max) { return {.min = min, .max = max}; }
 constexpr Range fromTo(double min, double max) { return {.min = min, .max = max, .closed = true}; }
 
@@ -39,14 +40,15 @@ struct PropertyRow {
   PropertyType type;
   Value start{};          ///< the default; also stands for a missing required property
   bool required = false;  ///< in scenes
-  Range range{};          ///< of a Float or an Integer; default: any finite number
+  Range range{};          ///< of a number or of each of a colour's; default: any finite one
   const char* unit = "";  ///< for example "pixels"
   const char* meaning = "";
+  bool pair = false;  ///< a Vector or a Point of two numbers; a third is ignored
 };
 
-/// The problem with a number, for messages: "fov must be more than 0 and less than 180 degrees,
+/// The problem with a number or a colour, for messages: "fov must be more than 0 and less than 180 degrees,
 /// found 190"; empty if there is none.
-std::string problemOf(const PropertyRow& row, const Value& number);
+std::string problemOf(const PropertyRow& row, const Value& value);
 /// The range as text with its unit, for example "1 to 10 pixels"; empty if any number is valid.
 std::string rangeText(const PropertyRow& row);
 

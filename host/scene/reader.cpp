@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "scene/numbers.h"
 #include "scene/suggest.h"
 #include "scene/transform_reader.h"
 #include "scene/user_text.h"
@@ -57,7 +58,7 @@ void Reader::readScene(pugi::xml_node root) {
   checkAreaLights();
   if (draft_.overrides.dialect->emittersAbsorb)
     for (MeshDraft& mesh : draft_.meshes)
-      if (mesh.light) mesh.bsdf = Bsdf{.row = &bsdfs::diffuse, .albedo = glm::dvec3(0.0)};
+      if (mesh.light) mesh.bsdf = {.values = {{"albedo", glm::dvec3(0.0)}}};
 }
 
 void Reader::checkAreaLights() {
@@ -127,7 +128,7 @@ void Reader::readProperty(pugi::xml_node node, PropertyType type, Properties& pr
     diagnostics_.warning(
         at(node), fmt::format("the property \"{}\" is given twice; the last one is used", name));
   }
-  if (const auto value = readValue(node, type, rule.properties[index].type)) {
+  if (const auto value = readValue(node, type, rule.properties[index])) {
     properties.set(index, *value, at(node));
   } else {
     properties.spoil(index, at(node));
@@ -135,10 +136,12 @@ void Reader::readProperty(pugi::xml_node node, PropertyType type, Properties& pr
 }
 
 std::optional<Value> Reader::readValue(pugi::xml_node node, PropertyType type,
-                                       PropertyType wanted) {
+                                       const PropertyRow& row) {
   const char* name = node.attribute("name").value();
+  const PropertyType wanted = row.type;
   const bool integerForFloat = wanted == PropertyType::Float && type == PropertyType::Integer;
-  if (type != wanted && !integerForFloat) {
+  const bool pair = row.pair && (type == PropertyType::Vector || type == PropertyType::Point);
+  if (type != wanted && !integerForFloat && !pair) {
     diagnostics_.error(at(node), fmt::format("the property \"{}\" is a <{}>, expected a <{}>", name,
                                              tagOf(type), tagOf(wanted)));
     return std::nullopt;
@@ -148,7 +151,9 @@ std::optional<Value> Reader::readValue(pugi::xml_node node, PropertyType type,
     return matrix ? std::optional<Value>(*matrix) : std::nullopt;
   }
   Value value;
-  const std::string problem = parseValue(type, node.attribute("value").value(), value);
+  std::string text = node.attribute("value").value();
+  if (pair && splitList(text).size() == 2) text += " 0";
+  const std::string problem = parseValue(type, text, value);
   if (!problem.empty()) {
     diagnostics_.error(at(node), fmt::format("the property \"{}\": {}", name, problem));
     return std::nullopt;
@@ -184,7 +189,7 @@ void Reader::missing(pugi::xml_node node, Need need, const std::string& message)
   }
 }
 
-// A texture replaces a colour of the BSDF around it.
+// A texture replaces a colour or a float of the BSDF around it.
 bool Reader::checkTexture(pugi::xml_node node, const ObjectRule& parent) {
   if (parent.tag != std::string_view("bsdf")) {
     missing(node, Need::Shading,
@@ -194,7 +199,8 @@ bool Reader::checkTexture(pugi::xml_node node, const ObjectRule& parent) {
   const std::string_view name = node.attribute("name").value();
   std::vector<std::string_view> names;
   for (const PropertyRow& property : parent.properties)
-    if (property.type == PropertyType::Color) names.emplace_back(property.name);
+    if (property.type == PropertyType::Color || property.type == PropertyType::Float)
+      names.emplace_back(property.name);
   if (std::find(names.begin(), names.end(), name) == names.end()) {
     missing(node, Need::Shading,
             fmt::format("<texture> replaces {} of {}, expected name={}", inQuotes(name),
@@ -208,6 +214,7 @@ bool Reader::checkTexture(pugi::xml_node node, const ObjectRule& parent) {
                            fmt::format("the property {} is given twice; {}", inQuotes(name),
                                        findPropertyType(other.name()) ? "the texture is used"
                                                                       : "the last one is used"));
+  draft_.textured = name;
   return true;
 }
 

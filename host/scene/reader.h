@@ -18,7 +18,7 @@ class Reader {
  private:
   void readChildren(pugi::xml_node node, Properties* properties, std::string_view parent);
   void readProperty(pugi::xml_node node, PropertyType type, Properties& properties);
-  std::optional<Value> readValue(pugi::xml_node node, PropertyType type, PropertyType wanted);
+  std::optional<Value> readValue(pugi::xml_node node, PropertyType type, const PropertyRow& row);
   void readObject(pugi::xml_node node, const TagRule& rule, const ObjectRule& parent);
   std::string userFilePath(std::string_view type) const;
   bool readUserIntegrator(pugi::xml_node node, const char* type);

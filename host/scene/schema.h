@@ -21,8 +21,8 @@ struct MeshDraft {
   std::string filename;
   glm::dmat4 toWorld{1.0};
   Bsdf bsdf;
-  std::size_t textureOffset = 0;  ///< of the texture's tag
-  std::optional<Sphere> sphere;   ///< instead of a file
+  std::map<std::string, std::size_t> textureOffsets;  ///< of textures' tags, by property
+  std::optional<Sphere> sphere;                       ///< then there is no file
   std::optional<AreaLight> light{};
   std::size_t lightOffset = 0;  ///< of the emitter's tag
 };
@@ -37,6 +37,7 @@ struct Draft {
   std::size_t filterOffset = 0;        ///< of its tag
   std::map<std::string, std::shared_ptr<UserBsdf>> userBsdfs{};  ///< by file
   bool integratorKnown = false;                                  ///< laver has it
+  std::string textured{};  ///< the property that the texture being read stands for
 };
 
 /// An object that laver supports: its properties, and the function that adds it to the scene.

@@ -44,6 +44,7 @@ nlohmann::json elementJson(const TagRule& tag) {
 std::string startText(const PropertyRow& row) {
   if (row.required) return "required";
   const std::string text = textOf(row.start);
+  if (row.pair) return text.substr(0, text.rfind(' '));
   if (!text.empty()) return text;
   return row.type == PropertyType::Transform ? "identity" : "none";
 }

@@ -70,9 +70,9 @@ void loadTextures(const TextSource& source, Draft& draft, Diagnostics& diagnosti
   if (!needsShading(draft)) return;
   PictureFiles files(source, diagnostics);
   for (MeshDraft& mesh : draft.meshes) {
-    auto& texture = mesh.bsdf.texture;
-    if (texture && texture->row->picture)
-      files.add(texture->filename, texture->raw, mesh.textureOffset, texture->image);
+    for (auto& [property, texture] : mesh.bsdf.textures)
+      if (texture.row->picture)
+        files.add(texture.filename, texture.raw, mesh.textureOffsets.at(property), texture.image);
   }
   if (auto& sky = draft.scene.environment) {
     if (!sky->filename.empty())
@@ -90,8 +90,8 @@ void warnOfMissingUvs(const Draft& draft, Diagnostics& diagnostics) {
   if (!needsShading(draft)) return;
   for (std::size_t i = 0; i < draft.scene.meshes.size(); ++i) {
     const Mesh& mesh = draft.scene.meshes[i];
-    if (!mesh.bsdf.texture || !mesh.uvs.empty() || mesh.triangles.empty()) continue;
-    diagnostics.warning(draft.meshes[i].textureOffset,
+    if (mesh.bsdf.textures.empty() || !mesh.uvs.empty() || mesh.triangles.empty()) continue;
+    diagnostics.warning(draft.meshes[i].textureOffsets.at(mesh.bsdf.textures.front().property),
                         fmt::format("{} has no texture coordinates: each of its triangles shows "
                                     "the texture from (0, 0) over (1, 0) to (0, 1)",
                                     inQuotes(mesh.name)));

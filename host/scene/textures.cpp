@@ -1,10 +1,9 @@
-#include "scene/textures.h"
-
 #include <fmt/format.h>
 
 #include "scene/dump.h"
 #include "scene/properties.h"
 #include "scene/schema.h"
+#include "scene/textures.h"
 
 namespace laver {
 
@@ -39,18 +38,22 @@ std::vector<PropertyRow> placed(std::vector<PropertyRow> rows) {
   return rows;
 }
 
-void addTexture(const Properties& given, Texture texture, Draft& draft) {
-  if (draft.meshes.empty()) return;
+Texture placed(Texture texture, const Properties& given) {
   texture.scale = {given.real("scalex"), given.real("scaley")};
   texture.offset = {given.real("offsetx"), given.real("offsety")};
-  draft.meshes.back().bsdf.texture = std::move(texture);
-  draft.meshes.back().textureOffset = given.offset();
+  return texture;
+}
+
+void addTexture(const Properties& given, Texture texture, Draft& draft) {
+  if (draft.meshes.empty()) return;
+  draft.meshes.back().bsdf.show(draft.textured, std::move(texture));
+  draft.meshes.back().textureOffsets[draft.textured] = given.offset();
 }
 
 void buildChecker(const Properties& given, std::string_view, Draft& draft) {
   Texture texture{.row = &textures::checker};
   texture.colors = {given.triple("color1"), given.triple("color2")};
-  addTexture(given, std::move(texture), draft);
+  addTexture(given, placed(std::move(texture), given), draft);
 }
 
 void buildBitmap(const Properties& given, std::string_view, Draft& draft) {
@@ -59,6 +62,13 @@ void buildBitmap(const Properties& given, std::string_view, Draft& draft) {
   texture.filename = given.text("filename");
   texture.colors.fill(given.triple("color"));
   texture.raw = given.boolean("raw") || draft.overrides.noriCompat;
+  texture = placed(texture, given);
+  if (given.rule().type == std::string_view("textmap") &&
+      draft.overrides.dialect->textmapMirrored) {
+    texture.raw = true;
+    texture.scale.x = -texture.scale.x;
+    texture.offset.x = -texture.offset.x;
+  }
   addTexture(given, std::move(texture), draft);
 }
 

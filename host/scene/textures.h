@@ -43,6 +43,7 @@ struct Texture {
   /// centres, in linear light.
   std::string filename{};  ///< as in the scene
   bool raw = false;        ///< 8-bit and 16-bit values are linear, not encoded as sRGB
+  bool red = false;        ///< grey, by the red channel
   std::shared_ptr<const Picture> image{};  ///< null (white) if the integrator needs no materials
 };
 

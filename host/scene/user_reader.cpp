@@ -32,15 +32,14 @@ bool Reader::readUserIntegrator(pugi::xml_node node, const char* type) {
                                  inQuotes(use->user->file)));
       continue;
     }
-    if (const auto value = readValue(child, *property, *property))
+    if (const auto value = readValue(child, *property, {.name = "", .type = *property}))
       setValue(use->values, name, *value);
   }
   takeIntegrator(*use, draft_);
   return true;
 }
 
-// If there is a file TYPE.glsl next to the scene, it is a BSDF with one colour and up to four
-// floats.
+// If there is a file TYPE.glsl next to the scene, it is a BSDF with any colours and floats.
 bool Reader::readUserBsdf(pugi::xml_node node, const char* type, const ObjectRule& parent) {
   const std::string file = userFilePath(type);
   std::shared_ptr<UserBsdf>& user = draft_.userBsdfs[file];
@@ -57,10 +56,10 @@ bool Reader::readUserBsdf(pugi::xml_node node, const char* type, const ObjectRul
   return true;
 }
 
-/// Adds the properties that a mesh sets to those of a user's BSDF.
+/// Adds the properties that a mesh sets to those of a user's BSDF. A texture replaces a colour,
+/// unless another mesh gives a float of that name.
 void Reader::addProperties(pugi::xml_node node, UserBsdf& user) {
   std::vector<PropertyRow>& rows = user.row.properties;
-  const auto isColor = [](const PropertyRow& row) { return row.type == PropertyType::Color; };
   for (const pugi::xml_node child : node.children()) {
     const PropertyType* property = findPropertyType(child.name());
     const bool color = child.name() == std::string_view("texture") ||
@@ -71,12 +70,15 @@ void Reader::addProperties(pugi::xml_node node, UserBsdf& user) {
       continue;
     const bool number = property != nullptr &&
                         (*property == PropertyType::Float || *property == PropertyType::Integer);
-    const auto colors = std::count_if(rows.begin(), rows.end(), isColor);
-    const auto numbers = static_cast<std::ptrdiff_t>(rows.size()) - colors;
-    if (!isGlslName(name) || (color ? colors == 1 : !number || numbers == 4)) {
-      diagnostics_.error(at(child), fmt::format("{} takes one colour and up to four floats, whose "
-                                                "names are letters, digits and _",
+    if (!isGlslName(name) || !(color || number)) {
+      diagnostics_.error(at(child), fmt::format("{} takes colours and floats whose names are "
+                                                "letters, digits and _",
                                                 inQuotes(user.file)));
+      continue;
+    }
+    if (rows.size() == kMostBsdfProperties) {
+      diagnostics_.error(at(child), fmt::format("{} takes {} properties at most",
+                                                inQuotes(user.file), kMostBsdfProperties));
       continue;
     }
     const Value start = color ? Value(glm::dvec3(1.0)) : Value(0.0);

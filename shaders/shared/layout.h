@@ -11,7 +11,7 @@ LAVER_CONST uint BIND_NODES = 1;           // T Node
 LAVER_CONST uint BIND_TRIANGLES = 2;       // T Triangle
 LAVER_CONST uint BIND_ATTRIBUTES = 3;      // T Attributes, or their smaller form, one per triangle
 LAVER_CONST uint BIND_NORMALS = 4;         // T vec4, one per vertex normal
-LAVER_CONST uint BIND_MATERIALS = 5;       // T Material, one per mesh
+LAVER_CONST uint BIND_MATERIALS = 5;       // T of words: MaterialLayout (host/kernels/keys.h)
 LAVER_CONST uint BIND_LIGHTS = 6;          // T Light
 LAVER_CONST uint BIND_JUMPS = 7;           // T Jump
 LAVER_CONST uint BIND_SAMPLES = 8;         // S vec4, one per sample: r, g, b, x in the pixel
@@ -22,7 +22,7 @@ LAVER_CONST uint BIND_SAMPLE_TEXELS = 12;  // T of vec4: BIND_SAMPLES, for readi
 LAVER_CONST uint BIND_SAMPLE_Y_TEXELS = 13;  // T of vec4: BIND_SAMPLES_Y, for reading
 LAVER_CONST uint BIND_COUNTS = 14;    // T Count, one per cell of the region; adaptive sampling only
 LAVER_CONST uint BIND_WORK = 15;      // T Work; adaptive sampling only
-LAVER_CONST uint BIND_TEXTURES = 16;  // T Texture, one per material
+LAVER_CONST uint BIND_TEXTURES = 16;  // T Texture
 LAVER_CONST uint BIND_UVS = 17;       // T of uvec2: u, v of each corner of textured triangles
 LAVER_CONST uint BIND_IMAGES = 18;    // T of uint: pixels of all images, and their tables
 LAVER_CONST uint BIND_EMISSION = 19;  // T Emission, one per mesh
@@ -95,13 +95,6 @@ struct Attributes {
   uint normalA, normalB, normalC;
 };
 
-// The material of a mesh. 2 texels.
-struct Material {
-  vec3 albedo;
-  uint bsdf;     // index among the BSDFs of the kernel's key
-  vec4 numbers;  // the BSDF's float properties
-};
-
 // An image: pixels from texel `first` on, rows from the top. Bytes are looked up in a table of 256
 // floats that begins at texel `table`; with NO_TABLE the pixels are floats.
 LAVER_CONST uint NO_TABLE = 0xffffffffu;
@@ -109,11 +102,11 @@ struct ImageRef {
   uint first, width, height, table;
 };
 
-// The texture of a material, evaluated at (s, t) = uv * scale + offset. 4 texels.
-LAVER_CONST uint TEXTURE_NONE = 0;  // color1; else 1 + index among the textures of the kernel's key
+// A texture of a property of a material, evaluated at (s, t) = uv * scale + offset. 4 texels.
+LAVER_CONST uint TEXTURE_NONE = 0;  // in materials' records, where 1 + the texture's index stands
 struct Texture {
   vec3 color1;
-  uint kind;
+  uint kind;  // index among the textures of the kernel's key
   vec3 color2;
   uint uvs;  // texels 3 * (id + uvs) + 0 to 2 hold the uv of the stored corners of triangle `id`
   vec2 scale;
@@ -254,7 +247,6 @@ static_assert(sizeof(Child) == 32 && offsetof(Child, hi) == 16);
 static_assert(sizeof(Node) == 256);
 static_assert(sizeof(Triangle) == 48 && offsetof(Triangle, c) == 32);
 static_assert(sizeof(Attributes) == 16);
-static_assert(sizeof(Material) == 32);
 static_assert(sizeof(Texture) == 64 && offsetof(Texture, image) == 48);
 static_assert(sizeof(Light) == 32 && offsetof(Light, radiance) == 16);
 static_assert(sizeof(Jump) == 16 && sizeof(Emission) == 16 && sizeof(Source) == 16);

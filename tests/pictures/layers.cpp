@@ -256,15 +256,15 @@ TEST(Layers, UnfinishedOnesAreCountedInAStoppedRender) {
   }
 }
 
-const char* const kDisney =
+const char* const kVelvet =
     "<scene><integrator type=\"normals\"/><camera type=\"perspective\"/>"
     "<mesh type=\"obj\"><string name=\"filename\" value=\"a.obj\"/>\n"
-    "<bsdf type=\"disney\"/></mesh></scene>";
+    "<bsdf type=\"velvet\"/></mesh></scene>";
 const char* const kTriangle = "v -1 -1 3\nv 1 -1 3\nv 0 1 3\nf 1 2 3\n";
 
 TEST_F(CommandLine, LayersAreChannelsOfTheFile) {
   write("a.obj", kTriangle);
-  write("a.xml", kDisney);
+  write("a.xml", kVelvet);
   for (const char* how : {"--device $device", "--reference"}) {
     const Outcome run = laver(std::string("a.xml -q --size 32x24 --layers normals,depth,id ") +
                               "--integrator normals,depth " + how);
@@ -284,10 +284,10 @@ TEST_F(CommandLine, LayersAreChannelsOfTheFile) {
 
 TEST_F(CommandLine, TheAlbedoLayerNeedsMaterials) {
   write("a.obj", kTriangle);
-  write("a.xml", kDisney);
+  write("a.xml", kVelvet);
   const Outcome run = laver("a.xml --device $device --layers albedo");
   EXPECT_EQ(run.code, 3);
-  EXPECT_NE(run.err.find("a.xml:2:2: error: laver has no bsdf of type \"disney\""),
+  EXPECT_NE(run.err.find("a.xml:2:2: error: laver has no bsdf of type \"velvet\""),
             std::string::npos)
       << run.err;
   EXPECT_EQ(laver("a.xml --device $device -q --size 8x8 --integrator depth,direct_whitted").code,

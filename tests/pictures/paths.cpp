@@ -12,14 +12,16 @@ Mesh quad(const std::array<glm::dvec3, 4>& corners, const glm::dvec3& albedo) {
   Mesh mesh;
   mesh.positions.assign(corners.begin(), corners.end());
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  mesh.bsdf.albedo = albedo;
+  mesh.bsdf.set("albedo", albedo);
   return mesh;
 }
 
 Mesh ball(const glm::dvec3& centre, double radius, const BsdfRow& bsdf) {
   Mesh mesh;
   mesh.sphere = Sphere{centre, radius};
-  mesh.bsdf = {.row = &bsdf, .albedo = glm::dvec3(0.5, 0.7, 0.9)};
+  mesh.bsdf = {.row = &bsdf};
+  if (const PropertyRow* color = albedoOf(bsdf))
+    mesh.bsdf.set(color->name, glm::dvec3(0.5, 0.7, 0.9));
   return mesh;
 }
 
@@ -65,8 +67,7 @@ class Paths : public testing::TestWithParam<const IntegratorRow*> {};
 /// A sample is another one where rounding decides otherwise: which side of an edge a ray passes, or
 /// whether roulette ends it. Floats' directions are off by 1e-7, so that a few paths in a thousand
 /// do, after some bounces; a pixel shows the samples of 25 pixels.
-TEST_P(Paths, AreThoseOfTheTwin) {
-  const Scene scene = room(*GetParam());
+void expectPathsOfTheTwin(const Scene& scene) {
   const Image image = render(scene);
   const Image wanted = Reference(scene).render().image;
   std::size_t beyond = 0;
@@ -80,6 +81,8 @@ TEST_P(Paths, AreThoseOfTheTwin) {
   EXPECT_LE(static_cast<double>(beyond), 0.03 * static_cast<double>(image.pixels.size()));
 }
 
+TEST_P(Paths, AreThoseOfTheTwin) { expectPathsOfTheTwin(room(*GetParam())); }
+
 TEST_P(Paths, HaveTheSameBitsByEveryTraversal) {
   const Scene scene = room(*GetParam());
   const Image image = render(scene, onTestDevice("lane"));
@@ -90,20 +93,35 @@ TEST_P(Paths, HaveTheSameBitsByEveryTraversal) {
 INSTANTIATE_TEST_SUITE_P(Integrators, Paths, testing::ValuesIn(bouncing()),
                          [](const auto& row) { return std::string(row.param->name); });
 
+/// The room with a small ball of each BSDF instead of the large ones.
+TEST(PathsOfAllBsdfs, AreThoseOfTheTwin) {
+  Scene scene = room(*rowCalled(integratorRows(), "path_mis"));
+  scene.meshes.resize(4);
+  int i = 0;
+  for (const BsdfRow* row : bsdfRows()) {
+    scene.meshes.push_back(ball({0.45 * (i % 4) - 0.675, 0.45 * (i / 4) - 0.7, 0.2}, 0.2, *row));
+    ++i;
+  }
+  expectPathsOfTheTwin(scene);
+}
+
 double meanOf(const Image& image) {
   double sum = 0.0;
   for (const float value : image.pixels) sum += static_cast<double>(value);
   return sum / static_cast<double>(image.pixels.size());
 }
 
-/// A white ball under a white sky cannot be told from it.
-TEST(Furnace, AWhiteBallUnderAWhiteSkyIsWhite) {
-  Scene scene = room(*rowCalled(integratorRows(), "path_mats"));
-  scene.meshes = {ball({0.0, 0.0, 0.0}, 1.0, bsdfs::diffuse)};
-  scene.meshes[0].bsdf.albedo = glm::dvec3(1.0);
-  scene.lights.clear();
-  scene.environment->radiance = glm::dvec3(1.0);
-  for (const float value : render(scene).pixels) EXPECT_NEAR(value, 1.0F, 1e-5F);
+/// A ball under a white sky that absorbs nothing cannot be told from it.
+TEST(Furnace, ABallThatAbsorbsNothingUnderAWhiteSkyIsWhite) {
+  for (const char* name : {"diffuse", "mirror"}) {
+    Scene scene = room(*rowCalled(integratorRows(), "path_mats"));
+    scene.meshes = {ball({0.0, 0.0, 0.0}, 1.0, bsdfCalled(name))};
+    if (const PropertyRow* color = albedoOf(bsdfCalled(name)))
+      scene.meshes[0].bsdf.set(color->name, glm::dvec3(1.0));
+    scene.lights.clear();
+    scene.environment->radiance = glm::dvec3(1.0);
+    for (const float value : render(scene).pixels) EXPECT_NEAR(value, 1.0F, 1e-5F) << name;
+  }
 }
 
 /// Walls of albedo 1/2 that emit 1/2: each point sends 1 in all directions. The mean of n samples
@@ -113,7 +131,7 @@ TEST(Furnace, InAClosedRoomEachPointSendsOne) {
     Scene scene = room(*rowCalled(integratorRows(), name));
     scene.meshes = {bumpySphere(12, 20, 0.0, glm::dvec3(0.0))};
     for (glm::uvec3& t : scene.meshes[0].triangles) std::swap(t.x, t.y);
-    scene.meshes[0].bsdf.albedo = glm::dvec3(0.5);
+    scene.meshes[0].bsdf.set("albedo", glm::dvec3(0.5));
     scene.meshes[0].light = AreaLight{glm::dvec3(0.5)};
     scene.lights.clear();
     scene.environment.reset();

@@ -189,7 +189,7 @@ TEST_F(Resume, AnotherSceneOrCountIsRefused) {
   other.lights[1].radiance.x *= 1.0001;
   EXPECT_EQ(reasonOf(scene, other, Keep::Always), changed);
   other = scene;
-  other.meshes[0].bsdf.albedo.x *= 0.999;
+  other.meshes[0].bsdf.set("albedo", other.meshes[0].bsdf.color("albedo") * 0.999);
   EXPECT_EQ(reasonOf(scene, other, Keep::Always), changed);
   other = scene;
   other.camera.fov += 1e-5;

@@ -14,7 +14,7 @@ std::vector<Scene> scenes() {
   all.push_back(smallScene("curved-normals.xml", 35, 2));
   all[0].integrator = {&integrators::directWhitted};
   all[0].sampler.row = &samplers::stratified;
-  all[0].meshes[0].bsdf.albedo = glm::dvec3(0.1, 0.5, 0.9);
+  all[0].meshes[0].bsdf.set("albedo", glm::dvec3(0.1, 0.5, 0.9));
   // Neither normals nor light; box filter.
   all.push_back(smallScene("cornell-two-lights.xml", 35, 1));
   all[1].lights.clear();
@@ -27,10 +27,10 @@ std::vector<Scene> scenes() {
   all.push_back(all[2]);
   all[3].filter = {};
   all[3].sampler.row = &samplers::independent;
-  for (Mesh& mesh : all[3].meshes) mesh.bsdf.albedo = all[2].meshes[0].bsdf.albedo;
+  for (Mesh& mesh : all[3].meshes) mesh.bsdf.set("albedo", all[2].meshes[0].bsdf.color("albedo"));
   // A checker and a background of one radiance: no image.
   all.push_back(all[3]);
-  all[4].meshes[1].bsdf.texture = Texture();
+  all[4].meshes[1].bsdf.show("albedo", Texture());
   all[4].environment = Environment();
   return all;
 }
@@ -96,9 +96,9 @@ TEST(WithoutALight, LayersEqualTheirIntegratorsAlone) {
   scene.lights.clear();
   scene.meshes.push_back(scene.meshes[0]);
   for (glm::dvec3& p : scene.meshes[1].positions) p += glm::dvec3(0.3, 0.0, 0.3);
-  scene.meshes[1].bsdf.albedo = glm::dvec3(0.1, 0.5, 0.9);
+  scene.meshes[1].bsdf.set("albedo", glm::dvec3(0.1, 0.5, 0.9));
   for (const bool textured : {false, true}) {
-    if (textured) scene.meshes[1].bsdf.texture = Texture();
+    if (textured) scene.meshes[1].bsdf.show("albedo", Texture());
     RenderOptions options;
     options.layers = {&layers::normals, &layers::albedo, &layers::id};
     const Image all = render(scene, onTestDevice(), options);

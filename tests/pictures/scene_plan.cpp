@@ -91,7 +91,7 @@ TEST(ScenePlan, ListsTexturesBackgroundAndLayers) {
   Scene scene = smallScene("curved-normals.xml", 16, 1);
   scene.integrator = {&integrators::directWhitted};
   scene.lights.clear();
-  scene.meshes[0].bsdf.texture = Texture();
+  scene.meshes[0].bsdf.show("albedo", Texture());
   ScenePlan plan = planScene(scene, {}, {}, testDeviceInfo());
   EXPECT_EQ(line(plan, "camera rays").choice, "none traced");
   EXPECT_EQ(line(plan, "textures").choice, "left out");

@@ -114,14 +114,14 @@ TEST(Scenes, TheFirstOfCopiedTrianglesIsHitWhateverTheOrderOfCorners) {
       all.triangles.emplace_back(first, first + 1, first + 2);
     }
   scene.meshes = {all};
-  scene.meshes[0].bsdf.albedo = glm::dvec3(0.9, 0.1, 0.1);
+  scene.meshes[0].bsdf.set("albedo", glm::dvec3(0.9, 0.1, 0.1));
   for (const glm::uvec3 order : {glm::uvec3(1, 2, 0), glm::uvec3(2, 0, 1), glm::uvec3(0, 2, 1),
                                  glm::uvec3(1, 0, 2), glm::uvec3(2, 1, 0)}) {
     Mesh copy = all;
     for (auto& t : copy.triangles)
       t = {t[static_cast<int>(order.x)], t[static_cast<int>(order.y)],
            t[static_cast<int>(order.z)]};
-    copy.bsdf.albedo = glm::dvec3(0.1, 0.9, 0.1);
+    copy.bsdf.set("albedo", glm::dvec3(0.1, 0.9, 0.1));
     scene.meshes.push_back(copy);
   }
   const Image six = render(scene);

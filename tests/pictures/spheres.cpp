@@ -13,7 +13,7 @@ namespace {
 Mesh sphere(glm::dvec3 centre, double radius, double albedo) {
   Mesh mesh;
   mesh.sphere = Sphere{centre, radius};
-  mesh.bsdf.albedo = glm::dvec3(albedo, 0.5, 1.0 - albedo);
+  mesh.bsdf.set("albedo", glm::dvec3(albedo, 0.5, 1.0 - albedo));
   return mesh;
 }
 
@@ -112,14 +112,15 @@ TEST(Spheres, TexturedTheyEqualTheReferenceAtTheSeamAndThePoles) {
   // A sphere around the camera shows all of the texture. It is unlit, since its normals point
   // outwards.
   scene.meshes.push_back(sphere(glm::dvec3(0.0), 1.5, 0.0));
-  scene.meshes.back().bsdf.texture = picture();
+  scene.meshes.back().bsdf.show("albedo", picture());
   for (std::size_t i = 0; i < scene.meshes.size() - 1; i += 2) {
-    Texture& texture = scene.meshes[i].bsdf.texture.emplace();
+    scene.meshes[i].bsdf.show("albedo", Texture());
+    Texture& texture = *scene.meshes[i].bsdf.texture("albedo");
     if (i % 4 == 0) texture = picture();
     texture.scale = {4.0, 3.0};
     texture.offset = {0.3, -0.2};
   }
-  scene.meshes[21].bsdf.texture = picture();
+  scene.meshes[21].bsdf.show("albedo", picture());
   int view = 0;
   for (const glm::dvec3 forward : {glm::dvec3(-1, 0, 0), glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1),
                                    glm::dvec3(0.6, 0.64, -0.48)}) {
@@ -173,7 +174,7 @@ TEST(Spheres, EverySampleIsExplained) {
   for (const IntegratorRow* integrator : kAll) {
     SCOPED_TRACE(integrator->name);
     Scene scene = someSpheres(*integrator);
-    scene.meshes[3].bsdf.texture = picture();
+    scene.meshes[3].bsdf.show("albedo", picture());
     const Explanation e = laver::explain(scene, scene, onTestDevice());
     EXPECT_EQ(e.unexplained(), 0U) << describe(e);
     // Negative control: a sphere that fills a tenth of the film, enlarged by 1e-4.

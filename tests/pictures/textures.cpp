@@ -41,7 +41,7 @@ Texture showing(std::shared_ptr<const Picture> picture) {
 Scene sheet(const Texture& texture) {
   Scene scene = litSquare();
   scene.meshes[0].uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  scene.meshes[0].bsdf.texture = texture;
+  scene.meshes[0].bsdf.show("albedo", texture);
   scene.meshes[1] = square(0.25, 0.5);
   scene.camera = downCamera({0.3, 0.2, 4}, 60, 96);
   scene.sampler.sampleCount = 2;
@@ -84,12 +84,33 @@ TEST(Textures, ACheckerWhoseEdgesAreDecisions) {
   expectMatch(sheet(texture), kTolerance);
 }
 
+TEST(Textures, EachRowEqualsItsTwin) {
+  for (const TextureRow* row : textureRows()) {
+    SCOPED_TRACE(row->name);
+    Texture texture;
+    texture.row = row;
+    texture.colors = {dvec3(0.9, 0.2, 0.1), dvec3(0.1, 0.5, 0.9)};
+    texture.scale = {3.3, 2.7};
+    texture.offset = {0.3, 0.1};
+    if (row->picture) texture.image = noise(8, 5, false);
+    expectMatch(sheet(texture), kTolerance);
+  }
+}
+
+TEST(Textures, TheRedChannelIsGrey) {
+  for (const bool floats : {false, true}) {
+    Texture texture = showing(noise(8, 5, floats));
+    texture.red = true;
+    expectMatch(sheet(texture), kTolerance);
+  }
+}
+
 TEST(Textures, AllKindsInOneScene) {
   Scene scene = sheet(showing(noise(8, 8, false)));
   scene.meshes.push_back(square(0.4, 0.3));
-  scene.meshes.back().bsdf.texture = showing(noise(4, 4, true));
+  scene.meshes.back().bsdf.show("albedo", showing(noise(4, 4, true)));
   scene.meshes.push_back(square(0.6, 0.2));
-  scene.meshes.back().bsdf.texture = Texture();
+  scene.meshes.back().bsdf.show("albedo", Texture());
   scene.environment = Environment();
   scene.environment->image = noise(8, 4, true);
   expectMatch(scene, kTolerance);
@@ -100,7 +121,7 @@ TEST(Textures, ASmoothMeshWithoutCoordinates) {
   scene.meshes[0] = bumpySphere(9, 14, 0.1, {0, 0, 0});
   for (const dvec3& p : scene.meshes[0].positions)
     scene.meshes[0].normals.push_back(glm::normalize(p));
-  scene.meshes[0].bsdf.texture = showing(noise(4, 4, false));
+  scene.meshes[0].bsdf.show("albedo", showing(noise(4, 4, false)));
   scene.meshes.resize(1);
   expectMatch(scene, kTolerance);
 }
@@ -120,7 +141,7 @@ TEST(Textures, KernelsSpecialisedOrNotGiveTheSameBits) {
   for (const bool floats : {false, true}) {
     Scene scene = sheet(showing(noise(8, 8, floats)));
     EXPECT_EQ(differingFloats(render(scene), render(scene, generic)), 0U);
-    scene.meshes[0].bsdf.texture = Texture();
+    scene.meshes[0].bsdf.show("albedo", Texture());
     scene.environment = Environment();
     scene.environment->image = noise(8, 4, floats);
     EXPECT_EQ(differingFloats(render(scene), render(scene, generic)), 0U);
@@ -134,7 +155,7 @@ TEST(Textures, CoordinatesOfAnySizeReadNothingOutsideTheImage) {
   for (const double size : {1e9, 1e38, kHuge, kNan}) {
     Scene scene = sheet(showing(noise(3, 3, true)));
     scene.meshes[0].uvs = {{size, 0}, {1, size}, {-size, size}, {0, -size}};
-    scene.meshes[1].bsdf.texture = showing(noise(9, 9, true, 1000.0F));
+    scene.meshes[1].bsdf.show("albedo", showing(noise(9, 9, true, 1000.0F)));
     for (dvec3& p : scene.meshes[1].positions) p.z = -9;  // hidden
     const Image image = render(scene);
     expectSameByAll(image, scene);
@@ -186,7 +207,7 @@ TEST(Backgrounds, NormalsAndDepthDoNotShowThem) {
     scene.integrator = {integrator};
     const Image without = render(scene);
     scene.environment = Environment();
-    scene.meshes[0].bsdf.texture = Texture();
+    scene.meshes[0].bsdf.show("albedo", Texture());
     EXPECT_EQ(differingFloats(without, render(scene)), 0U);
   }
 }
@@ -199,7 +220,7 @@ TEST(Backgrounds, EverySampleOfTexturesAndBackgroundIsExplained) {
   EXPECT_EQ(whole.unexplained(), 0U) << describe(whole);
   // Negative control: a shift by a tenth of a pixel, and a background rotated by as much.
   Scene shifted = scene;
-  shifted.meshes[0].bsdf.texture->offset.x += 0.1 / 64;
+  shifted.meshes[0].bsdf.texture("albedo")->offset.x += 0.1 / 64;
   EXPECT_GT(laver::explain(scene, shifted, onTestDevice()).unexplained(), 100U);
   shifted = scene;
   const double a = 0.01;
@@ -210,12 +231,13 @@ TEST(Backgrounds, EverySampleOfTexturesAndBackgroundIsExplained) {
 
 TEST(TextureData, ImagesArePackedOnceAndBytesStayBytes) {
   Scene scene = sheet(showing(noise(8, 8, false)));
-  scene.meshes[1].bsdf.texture = scene.meshes[0].bsdf.texture;
+  scene.meshes[1].bsdf.show("albedo", *scene.meshes[0].bsdf.texture("albedo"));
   const Packed data = pack(scene, {}, uploadsOf(scene, {}));
   EXPECT_EQ(data.images.size(), 256U + 64U);
   EXPECT_EQ(data.uvs.size(), 12U);
   EXPECT_EQ(data.textures.size(), 2U);
-  EXPECT_TRUE(data.materials.empty());
+  // A texel for the albedo, one for the place of its texture.
+  EXPECT_EQ(data.materials.size(), 2U * 8U);
 }
 
 TEST(TextureData, UnusedImagesAreNotUploaded) {

@@ -32,6 +32,14 @@ struct LintedKernel {
   bool traces;
 };
 
+/// A scene with all BSDFs, or with `diffuse`.
+Scene sceneOfBsdfs(bool all) {
+  Scene scene;
+  for (const BsdfRow* row : bsdfRows())
+    if (all || row == &bsdfs::diffuse) scene.meshes.emplace_back().bsdf.row = row;
+  return scene;
+}
+
 /// Trace kernels of every integrator and layer for every traversal, with every feature of scenes,
 /// and gather kernels for every filter.
 std::vector<LintedKernel> everyKernel() {
@@ -46,7 +54,11 @@ std::vector<LintedKernel> everyKernel() {
       key.traversal = traversal;
       key.sampler = samplerOf[kernels.size() % 3];
       key.jumpLevels = 3;
-      key.bsdfs = {"diffuse"};
+      // One kernel has them all: thorough optimisation of such a large one takes long.
+      const Scene scene = sceneOfBsdfs(integrator == "path_mis" && traversal == Traversal::Lane);
+      key.bsdfs = bsdfsOf(scene);
+      key.layout = layoutOf(scene);
+      key.layout.texturedColors = 1;
       key.textures = allTextureNames();
       key.background = "environment";
       key.normals = key.materials = key.bsdfRecords = key.spheres = key.lights = true;

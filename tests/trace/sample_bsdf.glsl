@@ -1,22 +1,27 @@
-// Directions that a BSDF samples. The preceding text includes the BSDF and defines SAMPLE and PDF as the
-// names of its functions. Input: wi and the first number, the second number; output: wo and pdf, weight.
+// Directions that a BSDF draws, and its values. Input: wi and the first number, the second number; then
+// texture coordinates. Output: the drawn wo and its pdf; its weight; eval of wo
+// for light of 1.
 layout(local_size_x = 64) in;
 layout(binding = BINDINGS) uniform textureBuffer inputTexels;
 layout(binding = BINDINGS + 1) writeonly buffer OutputBlock { vec4 outputOf[]; };
-// Pass is used as: region.x the count; core.xy the BSDF's numbers, as bits of floats.
+// Here Pass holds: region.x the count, region.y the material.
 
 void main() {
   const uint n = gl_GlobalInvocationID.x;
   if (n >= pass.region.x) return;
   const vec4 first = texelFetch(inputTexels, int(n) * 2);
-  const vec3 normal = vec3(0.0, 0.0, 1.0);
-  Material m;
-  m.albedo = vec3(0.25, 0.5, 0.75);
-  m.bsdf = 0u;
-  m.numbers = vec4(uintBitsToFloat(pass.core.xy), 0.0, 0.0);
+  const vec4 second = texelFetch(inputTexels, int(n) * 2 + 1);
+  Surface s;
+  s.position = vec3(0.0);
+  s.geometric = s.normal = vec3(0.0, 0.0, 1.0);
+  s.t = s.offset = 0.0;
+  s.material = pass.region.y;
+  s.weights = vec3(1.0 - second.y - second.z, second.yz);
+  s.id = pass.region.y;  // a triangle per material
+  const Material m = materialOf(s);
   vec3 wo;
-  const vec2 numbers = vec2(first.w, texelFetch(inputTexels, int(n) * 2 + 1).x);
-  const vec3 weight = SAMPLE(m, normal, first.xyz, numbers, wo);
-  outputOf[n * 2u] = vec4(wo, PDF(m, normal, first.xyz, wo));
-  outputOf[n * 2u + 1u] = vec4(weight, 0.0);
+  const vec3 weight = sampleBsdf(m, s.normal, first.xyz, vec2(first.w, second.x), wo);
+  outputOf[n * 3u] = vec4(wo, pdfBsdf(m, s.normal, first.xyz, wo));
+  outputOf[n * 3u + 1u] = vec4(weight, 0.0);
+  outputOf[n * 3u + 2u] = vec4(evalBsdf(m, s.normal, first.xyz, wo, vec3(1.0)), 0.0);
 }

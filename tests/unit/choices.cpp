@@ -109,7 +109,7 @@ TEST(Choices, UnusedPartsAreLeftOut) {
   Scene scene;
   scene.meshes.resize(2);
   scene.meshes[0].normals.resize(3);
-  scene.meshes[1].bsdf.albedo = glm::dvec3(0.1);
+  scene.meshes[1].bsdf.set("albedo", glm::dvec3(0.1));
   scene.lights.resize(1);
   scene.integrator = {&integrators::depth};
   EXPECT_FALSE(key(scene).normals || key(scene).materials || key(scene).lights);
@@ -119,8 +119,9 @@ TEST(Choices, UnusedPartsAreLeftOut) {
   EXPECT_FALSE(key(scene).materials || key(scene).lights);
   scene.integrator = {&integrators::directWhitted};
   EXPECT_TRUE(key(scene).materials && key(scene).lights);
-  EXPECT_EQ(key(scene).bsdfs, std::vector<std::string>{"diffuse"});
-  scene.meshes[1].bsdf.albedo = scene.meshes[0].bsdf.albedo;
+  ASSERT_EQ(key(scene).bsdfs.size(), 1U);
+  EXPECT_EQ(key(scene).bsdfs[0].name, "diffuse");
+  scene.meshes[1].bsdf.set("albedo", scene.meshes[0].bsdf.color("albedo"));
   scene.meshes[0].normals.clear();
   scene.lights.clear();
   EXPECT_FALSE(key(scene).normals || key(scene).materials || key(scene).lights);

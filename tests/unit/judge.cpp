@@ -68,8 +68,9 @@ TEST(Judge, ConsidersEveryChannel) {
   scene.integrator = {&integrators::albedo};
   const dvec2 edge(96.0, 50.0);
   for (int channel = 0; channel < 3; ++channel) {
-    scene.meshes[0].bsdf.albedo = glm::dvec3(0.0);
-    scene.meshes[0].bsdf.albedo[channel] = 0.5;
+    glm::dvec3 albedo(0.0);
+    albedo[channel] = 0.5;
+    scene.meshes[0].bsdf.set("albedo", albedo);
     const Reference reference(scene);
     EXPECT_TRUE(Judge(scene, reference).otherValue(edge, dvec2(0.5), 0.4)) << channel;
   }

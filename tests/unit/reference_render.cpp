@@ -160,7 +160,7 @@ TEST(ReferenceFilm, BatchesOfSamplesDoNotShow) {
 TEST(ReferenceFilm, UnusableSamplesAreDroppedWithTheirWeight) {
   Scene scene = bumpyScene(&filters::gaussian, 2.0, 2);
   scene.meshes = {test::square(10, 0)};
-  scene.meshes[0].bsdf.albedo = glm::dvec3(1);
+  scene.meshes[0].bsdf.set("albedo", glm::dvec3(1));
   const Image clean = Reference(scene).render().image;
   for (const double bad :
        {-1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {

@@ -39,7 +39,7 @@ inline Scene litSquare() {
   Scene scene;
   scene.integrator = {&integrators::directWhitted};
   scene.meshes = {test::square(2, 0), test::square(0.25, -6)};
-  scene.meshes[0].bsdf.albedo = {0.2, 0.5, 0.8};
+  scene.meshes[0].bsdf.set("albedo", glm::dvec3(0.2, 0.5, 0.8));
   scene.camera = downCamera({0, 0, 4}, 60, 64);
   scene.lights = {{{0, 0, 2}, {4, 8, 12}}};
   return scene;

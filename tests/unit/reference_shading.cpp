@@ -79,7 +79,7 @@ TEST(ReferenceNormals, TriangleNormalFollowsTheWindingUnderShading) {
 TEST(ReferenceTies, FirstMeshWins) {
   Scene scene = litSquare();
   scene.meshes.push_back(scene.meshes[0]);
-  scene.meshes.back().bsdf.albedo = glm::dvec3(1);
+  scene.meshes.back().bsdf.set("albedo", glm::dvec3(1));
   const glm::dvec2 film = filmOf(scene.camera, {0.3, -0.2, 0});
   expectNear(Reference(scene).radiance(film) / Reference(litSquare()).radiance(film),
              glm::dvec3(1));

@@ -22,11 +22,11 @@ Bsdf showing(std::shared_ptr<const Picture> picture) {
   texture.row = &textures::bitmap;
   texture.colors.fill(dvec3(1.0));
   texture.image = std::move(picture);
-  return {.albedo = dvec3(0.5), .texture = texture};
+  return {.textures = {{"albedo", texture}}};
 }
 
 TEST(ReferenceTexture, NoTextureIsTheAlbedo) {
-  EXPECT_EQ(albedoAt({.albedo = dvec3(0.1, 0.2, 0.3)}, {7, 8}), dvec3(0.1, 0.2, 0.3));
+  EXPECT_EQ(albedoAt({.values = {{"albedo", dvec3(0.1, 0.2, 0.3)}}}, {7, 8}), dvec3(0.1, 0.2, 0.3));
 }
 
 TEST(ReferenceTexture, TheRowsOfAPictureGoDown) {
@@ -52,9 +52,9 @@ TEST(ReferenceTexture, APictureRepeats) {
 
 TEST(ReferenceTexture, ScaleThenOffsetAndTheFactor) {
   Bsdf bsdf = showing(floats(4, 1, {1, 2, 3, 4}));
-  bsdf.texture->scale = {2, 1};
-  bsdf.texture->offset = {0.125, 0};
-  bsdf.texture->colors[0] = dvec3(10, 1, 1);
+  bsdf.texture("albedo")->scale = {2, 1};
+  bsdf.texture("albedo")->offset = {0.125, 0};
+  bsdf.texture("albedo")->colors[0] = dvec3(10, 1, 1);
   EXPECT_EQ(albedoAt(bsdf, {0.125, 0.3}).x, 20.0);
 }
 
@@ -64,15 +64,15 @@ TEST(ReferenceTexture, BytesAreDecodedBeforeInterpolation) {
   Bsdf bsdf = showing(std::make_shared<const Picture>(bitmap));
   // The curve of IEC 61966-2-1 at 128 / 255.
   expectNear(albedoAt(bsdf, {0.5, 0.5}), {0.5, 0.21586050011389926, 1.0}, 1e-12);
-  bsdf.texture->raw = true;
+  bsdf.texture("albedo")->raw = true;
   expectNear(albedoAt(bsdf, {0.5, 0.5}), {0.5, 128 / 255.0, 1.0}, 1e-12);
 }
 
 TEST(ReferenceTexture, ACheckerFollowsTheParityOfBothAxes) {
   Bsdf bsdf;
-  bsdf.texture = Texture();
-  bsdf.texture->colors = {dvec3(1), dvec3(2)};
-  bsdf.texture->scale = {4, 2};
+  bsdf.show("albedo", Texture());
+  bsdf.texture("albedo")->colors = {dvec3(1), dvec3(2)};
+  bsdf.texture("albedo")->scale = {4, 2};
   const auto at = [&](double u, double v) { return albedoAt(bsdf, {u, v}).x; };
   EXPECT_EQ(at(0.1, 0.1), 1.0);
   EXPECT_EQ(at(0.3, 0.1), 2.0);
@@ -111,7 +111,7 @@ TEST(ReferenceTexture, CoordinatesOfTheFileOrTheWeights) {
   Texture checker;
   checker.colors = {dvec3(1), dvec3(0)};
   checker.scale = {2, 2};
-  scene.meshes[0].bsdf.texture = checker;
+  scene.meshes[0].bsdf.show("albedo", checker);
   const auto lit = [&](double x, double y) { return seenAt(scene, {x, y, 0}).x > 0; };
   // Weights: u is 1 at the second corner of each triangle, v at the third.
   EXPECT_TRUE(lit(-0.5, -1.9));  // u 0.35, v 0.025

@@ -19,7 +19,7 @@ TEST(ReferenceWhitted, ObliquePointAndTwoLights) {
   scene.lights.push_back({{1.5, 0, 1}, {1, 1, 1}});
   // From (1.5, 0, 0): to the first light (-1.5, 0, 2), r = 2.5, cosine 0.8; to the second r = 1.
   const glm::dvec3 incoming = glm::dvec3(4, 8, 12) / 6.25 * 0.8 + glm::dvec3(1);
-  expectNear(seenAt(scene, {1.5, 0, 0}), incoming * scene.meshes[0].bsdf.albedo / pi);
+  expectNear(seenAt(scene, {1.5, 0, 0}), incoming * scene.meshes[0].bsdf.color("albedo") / pi);
 }
 
 TEST(ReferenceWhitted, MissIsBlack) {

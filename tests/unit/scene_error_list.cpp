@@ -33,7 +33,7 @@ TEST_F(SceneErrorList, AllOfAFileInItsOrder) {
 TEST_F(SceneErrorList, AnUnknownIntegratorHidesNoOther) {
   files_.write("t.obj", kTriangle);
   const std::string errors =
-      files_.errors(scene(mesh("\n<bsdf type=\"disney\"/>") + "\n<emitter type=\"sky\"/>\n" +
+      files_.errors(scene(mesh("\n<bsdf type=\"velvet\"/>") + "\n<emitter type=\"sky\"/>\n" +
                               mesh("<bsdf type=\"diffuse\">\n<texture type=\"bitmap\" "
                                    "name=\"albedo\"><string name=\"filename\" value=\"no.png\"/>"
                                    "</texture></bsdf>") +

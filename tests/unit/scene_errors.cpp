@@ -233,12 +233,6 @@ const std::vector<Case> kLacking = {
     {"sky", scene("<emitter type=\"sky\"/>", "direct_whitted"),
      "f.xml:2:2: error: laver has no emitter of type \"sky\": expected \"pointlight\", "
      "\"point\", \"area\", \"environment\", \"envmap\", \"constant\" or \"distantdisk\""},
-    {"texture",
-     scene(mesh("<bsdf type=\"diffuse\">\n<texture name=\"albedo\" type=\"perlin\"/></bsdf>"),
-           "direct_whitted"),
-     "f.xml:3:2: error: laver has no texture of type \"perlin\": expected \"checker\", "
-     "\"textmap\", "
-     "\"image_texture\" or \"bitmap\""},
     {"subsurface", scene(mesh("\n<subsurface type=\"dipole\"/>"), "direct_whitted"),
      "f.xml:3:2: error: unknown tag <subsurface>: expected " +
          xml::expectedNames("", xml::knownTags())},
@@ -252,13 +246,18 @@ INSTANTIATE_TEST_SUITE_P(Values, SceneErrors, testing::ValuesIn(kValues), kName)
 INSTANTIATE_TEST_SUITE_P(Transforms, SceneErrors, testing::ValuesIn(kTransforms), kName);
 INSTANTIATE_TEST_SUITE_P(Lacking, SceneErrors, testing::ValuesIn(kLacking), kName);
 
-TEST(SceneErrors, AnUnknownBsdfNamesThoseOfTheTable) {
+TEST(SceneErrors, AnUnknownBsdfOrTextureNamesThoseOfTheTable) {
   const SceneFiles files;
   files.write("t.obj", kTriangle);
-  EXPECT_EQ(files.errors(scene(mesh("\n<bsdf type=\"disney\"/>"), "direct_whitted")),
-            "f.xml:3:2: error: laver has no bsdf of type \"disney\": expected " +
-                xml::expectedNames("disney", xml::knownTypes("bsdf")) +
-                "; there is no file disney.glsl next to the scene either");
+  EXPECT_EQ(files.errors(scene(
+                mesh("<bsdf type=\"diffuse\">\n<texture name=\"albedo\" type=\"perlin\"/></bsdf>"),
+                "direct_whitted")),
+            "f.xml:3:2: error: laver has no texture of type \"perlin\": expected " +
+                xml::expectedNames("perlin", xml::knownTypes("texture")));
+  EXPECT_EQ(files.errors(scene(mesh("\n<bsdf type=\"velvet\"/>"), "direct_whitted")),
+            "f.xml:3:2: error: laver has no bsdf of type \"velvet\": expected " +
+                xml::expectedNames("velvet", xml::knownTypes("bsdf")) +
+                "; there is no file velvet.glsl next to the scene either");
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ TEST_F(SceneLacking, UnsupportedObjectsThatTheIntegratorIgnoresAreWarnings) {
   EXPECT_EQ(
       files_.warnings(scene("<medium type=\"homogeneous\"><phase type=\"hg\"/></medium>\n"
                             "<test type=\"ttest\"/>\n<emitter type=\"sky\"/>\n" +
-                            mesh("<bsdf type=\"disney\"><foo/></bsdf><emitter type=\"area\"/>\n"
+                            mesh("<bsdf type=\"velvet\"><foo/></bsdf><emitter type=\"area\"/>\n"
                                  "<subsurface type=\"dipole\"/>") +
                             mesh("<bsdf type=\"diffuse\">\n<texture name=\"albedo\" "
                                  "type=\"perlin\"/></bsdf>"))),
@@ -25,14 +25,13 @@ TEST_F(SceneLacking, UnsupportedObjectsThatTheIntegratorIgnoresAreWarnings) {
           "\nf.xml:3:2: warning: laver has no test of type \"ttest\": it has none" + tail +
           "\nf.xml:4:2: warning: laver has no emitter of type \"sky\": expected \"pointlight\", "
           "\"point\", \"area\", \"environment\", \"envmap\", \"constant\" or \"distantdisk\"" +
-          tail + "\nf.xml:5:58: warning: laver has no bsdf of type \"disney\": expected " +
-          xml::expectedNames("disney", xml::knownTypes("bsdf")) +
-          "; there is no file disney.glsl next to the scene either" + tail +
+          tail + "\nf.xml:5:58: warning: laver has no bsdf of type \"velvet\": expected " +
+          xml::expectedNames("velvet", xml::knownTypes("bsdf")) +
+          "; there is no file velvet.glsl next to the scene either" + tail +
           "\nf.xml:6:2: warning: unknown tag <subsurface>: expected " +
           xml::expectedNames("", xml::knownTags()) + tail +
-          "\nf.xml:7:2: warning: laver has no texture of type \"perlin\": expected \"checker\", "
-          "\"textmap\", \"image_texture\" or \"bitmap\"" +
-          tail);
+          "\nf.xml:7:2: warning: laver has no texture of type \"perlin\": expected " +
+          xml::expectedNames("perlin", xml::knownTypes("texture")) + tail);
 }
 
 TEST_F(SceneLacking, WhittedDoesNotNeedAMediumOrATest) {

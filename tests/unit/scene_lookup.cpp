@@ -122,7 +122,7 @@ TEST(SceneLookup, PointAtInfinity) {
 TEST(SceneOverride, IntegratorMakesAnotherAWarningAndLightsUnneeded) {
   const SceneFiles files;
   files.write("t.obj", kTriangle);
-  const std::string xml = scene(mesh("\n<bsdf type=\"disney\"/>"), "vol_path");
+  const std::string xml = scene(mesh("\n<bsdf type=\"velvet\"/>"), "vol_path");
   EXPECT_EQ(files.warnings(xml, with(integrators::normals)),
             "f.xml:1:9: warning: laver has no integrator of type \"vol_path\": expected "
             "\"normals\", \"direct_whitted\", \"depth\", \"av\", \"ao\", \"geometric_normals\", "
@@ -131,14 +131,14 @@ TEST(SceneOverride, IntegratorMakesAnotherAWarningAndLightsUnneeded) {
             "the scene either; "
             "ignored, "
             "integrator \"normals\" does not need it\n"
-            "f.xml:3:2: warning: laver has no bsdf of type \"disney\": expected " +
-                xml::expectedNames("disney", xml::knownTypes("bsdf")) +
-                "; there is no file disney.glsl next to the scene either; ignored, integrator "
+            "f.xml:3:2: warning: laver has no bsdf of type \"velvet\": expected " +
+                xml::expectedNames("velvet", xml::knownTypes("bsdf")) +
+                "; there is no file velvet.glsl next to the scene either; ignored, integrator "
                 "\"normals\" does not need it");
   EXPECT_EQ(files.errors(xml, with(integrators::directWhitted)),
-            "f.xml:3:2: error: laver has no bsdf of type \"disney\": expected " +
-                xml::expectedNames("disney", xml::knownTypes("bsdf")) +
-                "; there is no file disney.glsl next to the scene either");
+            "f.xml:3:2: error: laver has no bsdf of type \"velvet\": expected " +
+                xml::expectedNames("velvet", xml::knownTypes("bsdf")) +
+                "; there is no file velvet.glsl next to the scene either");
   EXPECT_TRUE(files.load(scene("", "depth"), with(integrators::normals))
                   .scene.integrator.is(integrators::normals));
 }

@@ -18,7 +18,7 @@ TEST(SceneSphere, HasItsCentreRadiusAndMaterial) {
   ASSERT_EQ(s.meshes.size(), 2U);
   EXPECT_EQ(s.meshes[0].sphere->centre, glm::dvec3(1, 2, 3));
   EXPECT_EQ(s.meshes[0].sphere->radius, 0.5);
-  EXPECT_EQ(s.meshes[0].bsdf.albedo, glm::dvec3(0.1, 0.2, 0.3));
+  EXPECT_EQ(s.meshes[0].bsdf.color("albedo"), glm::dvec3(0.1, 0.2, 0.3));
   EXPECT_EQ(s.meshes[1].sphere->centre, glm::dvec3(0));
   EXPECT_EQ(s.meshes[1].sphere->radius, 1.0);
   EXPECT_NE(describe(s).find("    Sphere[\n      center = [1, 2, 3],\n      radius = 0.5,\n"),
@@ -41,7 +41,7 @@ Scene litSphere(const IntegratorRow& integrator) {
   s.integrator = {&integrator};
   s.meshes.resize(1);
   s.meshes[0].sphere = Sphere{{0.5, 0.0, 0.0}, 0.25};
-  s.meshes[0].bsdf.albedo = {0.2, 0.5, 0.8};
+  s.meshes[0].bsdf.set("albedo", glm::dvec3(0.2, 0.5, 0.8));
   s.meshes.push_back(square(3, -2));
   s.camera = downCamera({0.5, 0, 4}, 60, 64);
   s.lights = {{{0.5, 0, 2.25}, {4, 8, 12}}};
@@ -104,8 +104,8 @@ TEST(ReferenceSphere, TextureCoordinatesAreLongitudeAndLatitudeOfTheNormal) {
       EXPECT_NEAR(hit->uv.x, uv.x, 1e-12);
     }
     // The texture is evaluated there.
-    s.meshes[0].bsdf.texture = Texture();
-    Texture& texture = *s.meshes[0].bsdf.texture;
+    s.meshes[0].bsdf.show("albedo", Texture());
+    Texture& texture = *s.meshes[0].bsdf.texture("albedo");
     texture.scale = {0.0, 5.0};
     texture.offset = {0.0, 0.1};
     const bool odd = static_cast<int>(uv.y * 5.0 + 0.1) % 2 != 0;

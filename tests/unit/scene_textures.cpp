@@ -30,7 +30,7 @@ class SceneTextures : public testing::Test {
 TEST_F(SceneTextures, ACheckerHasNorisDefaults) {
   const auto loaded = files_.load(whitted("<texture type=\"checker\" name=\"albedo\"/>"));
   EXPECT_TRUE(loaded.warnings.empty());
-  const auto& texture = loaded.scene.meshes.at(0).bsdf.texture;
+  const Texture* texture = loaded.scene.meshes.at(0).bsdf.texture("albedo");
   ASSERT_TRUE(texture);
   EXPECT_EQ(texture->row, &textures::checker);
   EXPECT_EQ(texture->colors[0], glm::dvec3(0.9));
@@ -58,12 +58,12 @@ TEST_F(SceneTextures, EveryValueReachesItsPlace) {
                   "<transform name=\"toWorld\"><rotate axis=\"0 1 0\" angle=\"90\"/></transform>"
                   "</emitter>"))
           .scene;
-  const Texture& checker = *s.meshes.at(0).bsdf.texture;
+  const Texture& checker = *s.meshes.at(0).bsdf.texture("albedo");
   EXPECT_EQ(checker.colors[0], glm::dvec3(1, 2, 3));
   EXPECT_EQ(checker.colors[1], glm::dvec3(4, 5, 6));
   EXPECT_EQ(checker.scale, glm::dvec2(7, 8.5));
   EXPECT_EQ(checker.offset, glm::dvec2(-9, 0.5));
-  const Texture& map = *s.meshes.at(1).bsdf.texture;
+  const Texture& map = *s.meshes.at(1).bsdf.texture("albedo");
   EXPECT_EQ(map.row, &textures::bitmap);
   EXPECT_TRUE(map.raw);
   EXPECT_EQ(map.colors[0], glm::dvec3(0.1, 0.2, 0.3));
@@ -84,8 +84,8 @@ TEST_F(SceneTextures, EveryNameOfATypeAndAFileIsReadOnce) {
                              "</texture></bsdf>";
     const auto loaded = files_.load(scene(mesh(bsdf) + mesh(bsdf), "direct_whitted"));
     EXPECT_TRUE(loaded.warnings.empty());
-    EXPECT_EQ(loaded.scene.meshes[0].bsdf.texture->image,
-              loaded.scene.meshes[1].bsdf.texture->image);
+    EXPECT_EQ(loaded.scene.meshes[0].bsdf.texture("albedo")->image,
+              loaded.scene.meshes[1].bsdf.texture("albedo")->image);
   }
   for (const char* type : {"environment", "envmap", "constant"}) {
     const auto s = files_
@@ -99,10 +99,26 @@ TEST_F(SceneTextures, EveryNameOfATypeAndAFileIsReadOnce) {
   }
 }
 
+// Zaragoza's course reads files from right to left and does not decode them.
+TEST_F(SceneTextures, TextmapIsMirroredInOneDialect) {
+  const std::string text = whitted(
+      "<texture name=\"albedo\" type=\"textmap\"><string name=\"filename\" value=\"a.png\"/>"
+      "</texture>");
+  SceneOverrides overrides;
+  overrides.dialect = rowCalled(dialects(), "zaragoza");
+  const Texture texture = *files_.load(text, overrides).scene.meshes[0].bsdf.texture("albedo");
+  EXPECT_EQ(texture.scale, glm::dvec2(-1, 1));
+  EXPECT_TRUE(texture.raw);
+  EXPECT_EQ(files_.load(text).scene.meshes[0].bsdf.texture("albedo")->scale, glm::dvec2(1));
+}
+
 TEST_F(SceneTextures, NoriCompatReadsBytesAsLinear) {
   SceneOverrides overrides;
   overrides.noriCompat = true;
-  EXPECT_TRUE(files_.load(whitted(picture("a.png")), overrides).scene.meshes[0].bsdf.texture->raw);
+  EXPECT_TRUE(files_.load(whitted(picture("a.png")), overrides)
+                  .scene.meshes[0]
+                  .bsdf.texture("albedo")
+                  ->raw);
 }
 
 TEST_F(SceneTextures, MissingAndBrokenFiles) {
@@ -161,7 +177,7 @@ TEST_F(SceneTextures, NormalsAndDepthNeedNoPicture) {
                                             "name=\"filename\" value=\"no.exr\"/></emitter>"),
                                     with(*integrator));
     EXPECT_TRUE(loaded.warnings.empty());
-    EXPECT_FALSE(loaded.scene.meshes[0].bsdf.texture->image);
+    EXPECT_FALSE(loaded.scene.meshes[0].bsdf.texture("albedo")->image);
   }
 }
 

@@ -83,8 +83,8 @@ TEST_F(SceneUser, ABsdfTakesAColourOrATextureAndFloats) {
   ASSERT_NE(bsdf.user, nullptr);
   EXPECT_EQ(bsdf.user->text, "text of mine");
   EXPECT_EQ(numbersOf(bsdf), (std::vector<double>{0.1, 2.0}));
-  ASSERT_TRUE(bsdf.texture);
-  EXPECT_EQ(bsdf.albedo, glm::dvec3(1.0));
+  ASSERT_NE(bsdf.texture("kd"), nullptr);
+  EXPECT_EQ(colorsOf(bsdf), std::vector<glm::dvec3>{glm::dvec3(1.0)});
 }
 
 // All meshes share one text, so that a number has the same place in all their records.
@@ -99,26 +99,25 @@ TEST_F(SceneUser, MeshesShareABsdfsProperties) {
   EXPECT_EQ(s.meshes.at(0).bsdf.row, s.meshes.at(1).bsdf.row);
   EXPECT_EQ(numbersOf(s.meshes[0].bsdf), (std::vector<double>{1.0, 0.0}));
   EXPECT_EQ(numbersOf(s.meshes[1].bsdf), (std::vector<double>{0.0, 2.0}));
-  EXPECT_EQ(s.meshes[0].bsdf.albedo, glm::dvec3(1.0));
-  EXPECT_EQ(s.meshes[1].bsdf.albedo, glm::dvec3(3, 4, 5));
+  EXPECT_EQ(s.meshes[0].bsdf.color("kd"), glm::dvec3(1.0));
+  EXPECT_EQ(s.meshes[1].bsdf.color("kd"), glm::dvec3(3, 4, 5));
 }
 
-TEST_F(SceneUser, ABsdfHasRoomForOneColourAndFourFloats) {
+TEST_F(SceneUser, ABsdfTakesColoursAndFloatsUpToALimit) {
   const auto of = [](const std::string& inside) {
     return scene(mesh("<bsdf type=\"mine\">" + inside + "</bsdf>"), "direct_whitted");
   };
-  const auto real = [](const char* name) {
-    return "<float name=\"" + std::string(name) + "\" value=\"1\"/>";
+  const auto real = [](const std::string& name) {
+    return "<float name=\"" + name + "\" value=\"1\"/>";
   };
-  const std::string four = real("a") + real("b") + real("c") + real("d");
+  std::string most = "<color name=\"kd\" value=\"1 1 1\"/><color name=\"ks\" value=\"1 1 1\"/>";
+  for (std::size_t i = 2; i < kMostBsdfProperties; ++i) most += real("a" + std::to_string(i));
+  EXPECT_EQ(files_.errors(of(most)), "");
+  EXPECT_EQ(files_.errors(of(most + "\n" + real("e"))),
+            "f.xml:3:2: error: \"mine.glsl\" takes 16 properties at most");
   const std::string message =
-      "f.xml:3:2: error: \"mine.glsl\" takes one colour and up to four floats, whose names are "
-      "letters, digits and _";
-  EXPECT_EQ(files_.errors(of(four)), "");
-  EXPECT_EQ(files_.errors(of(four + "\n" + real("e"))), message);
-  EXPECT_EQ(files_.errors(of("<color name=\"kd\" value=\"1 1 1\"/>\n"
-                             "<color name=\"ks\" value=\"1 1 1\"/>")),
-            message);
+      "f.xml:3:2: error: \"mine.glsl\" takes colours and floats whose names are letters, digits "
+      "and _";
   EXPECT_EQ(files_.errors(of("\n<vector name=\"v\" value=\"1 1 1\"/>")), message);
   EXPECT_EQ(files_.errors(of("\n" + real("a b"))), message);
 }

@@ -53,7 +53,7 @@ TEST_F(SceneWild, DefaultsOfTheTableAreThoseOfTheStructs) {
   EXPECT_EQ(s.lights[0].position, PointLight().position);
   EXPECT_EQ(s.lights[0].radiance, PointLight().radiance);
   ASSERT_EQ(s.meshes.size(), 1u);
-  EXPECT_EQ(s.meshes[0].bsdf.albedo, Bsdf().albedo);
+  EXPECT_EQ(s.meshes[0].bsdf.color("albedo"), Bsdf().color("albedo"));
 }
 
 TEST_F(SceneWild, EveryValueReachesItsPlace) {
@@ -170,9 +170,9 @@ TEST_F(SceneWild, SeveralMeshesWithAndWithoutBsdf) {
                                  "direct_whitted"))
                      .scene;
   ASSERT_EQ(s.meshes.size(), 3u);
-  EXPECT_EQ(s.meshes[0].bsdf.albedo, glm::dvec3(0.5));
-  EXPECT_EQ(s.meshes[1].bsdf.albedo, glm::dvec3(0.1, 0.2, 0.3));
-  EXPECT_EQ(s.meshes[2].bsdf.albedo, glm::dvec3(0.5));
+  EXPECT_EQ(s.meshes[0].bsdf.color("albedo"), glm::dvec3(0.5));
+  EXPECT_EQ(s.meshes[1].bsdf.color("albedo"), glm::dvec3(0.1, 0.2, 0.3));
+  EXPECT_EQ(s.meshes[2].bsdf.color("albedo"), glm::dvec3(0.5));
   EXPECT_EQ(s.meshes[2].name, "t.obj");
 }
 

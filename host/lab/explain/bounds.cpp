@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "core/numeric.h"
+#include "render/materials.h"
 
 namespace laver {
 namespace {
@@ -180,9 +181,11 @@ ValueBounds BoundsOf::at(dvec2 film, const Reference::Hit& hit) const {
   for (; number >= mesh->primitives(); ++mesh) number -= mesh->primitives();
   const Local local = mesh->sphere ? onSphere(film, hit, *mesh->sphere)
                                    : onTriangle(film, hit, *mesh, mesh->triangles[number]);
-  const AlbedoBounds albedo = mesh->bsdf.texture
-                                  ? albedoBounds(*mesh->bsdf.texture, local.uv, local.uvShift)
-                                  : AlbedoBounds{maxNorm(mesh->bsdf.albedo), 0.0};
+  const PropertyRow* shown = albedoOf(*mesh->bsdf.row);
+  const Texture* texture = shown != nullptr ? mesh->bsdf.texture(shown->name) : nullptr;
+  const AlbedoBounds albedo = texture != nullptr
+                                  ? albedoBounds(*texture, local.uv, local.uvShift)
+                                  : AlbedoBounds{maxNorm(laver::albedoOf(*mesh)), 0.0};
   ValueBounds bounds{local.depth, local.normal, 0.0, local.cause};
   // cos / d^2 changes by 3 shifts / d; the light's position is rounded, too.
   const dvec3 point = space_.apply(hit.position);

@@ -32,7 +32,7 @@ Scene numbered(const Scene& scene) {
   result.meshes.clear();
   const auto add = [&](Mesh mesh) {
     const std::size_t number = result.meshes.size() + 1;
-    mesh.bsdf.albedo = dvec3(number & 0xfffU, number >> 12, 0.0);
+    mesh.bsdf.set("albedo", dvec3(number & 0xfffU, number >> 12, 0.0));
     result.meshes.push_back(std::move(mesh));
   };
   for (const Mesh& mesh : scene.meshes) {

@@ -13,7 +13,7 @@ double dielectricPdf(const BsdfPoint&, glm::dvec3, glm::dvec3) { return 0.0; }
 /// Reflects with the probability of the reflectance. Refracted radiance grows by the square of the
 /// ratio of the indices, since its solid angle shrinks.
 BsdfSample dielectricSample(const BsdfPoint& point, glm::dvec3 wi, glm::dvec2 numbers) {
-  const double outside = point.bsdf.real("extIOR"), inside = point.bsdf.real("intIOR");
+  const double outside = point.real("extIOR"), inside = point.real("intIOR");
   const double cosine = glm::dot(point.normal, wi);
   if (numbers.x < fresnel(cosine, outside, inside))
     return {2.0 * cosine * point.normal - wi, glm::dvec3(1.0)};

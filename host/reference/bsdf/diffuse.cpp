@@ -8,7 +8,7 @@ namespace laver::reference {
 /// Lambertian reflection: albedo / pi on the upper side.
 glm::dvec3 diffuseEval(const BsdfPoint& point, glm::dvec3 wi, glm::dvec3 wo) {
   const bool above = glm::dot(point.normal, wi) > 0.0 && glm::dot(point.normal, wo) > 0.0;
-  return above ? point.colour / std::numbers::pi : glm::dvec3(0.0);
+  return above ? point.color("albedo") / std::numbers::pi : glm::dvec3(0.0);
 }
 
 double diffusePdf(const BsdfPoint& point, glm::dvec3 wi, glm::dvec3 wo) {
@@ -18,7 +18,7 @@ double diffusePdf(const BsdfPoint& point, glm::dvec3 wi, glm::dvec3 wo) {
 
 BsdfSample diffuseSample(const BsdfPoint& point, glm::dvec3 wi, glm::dvec2 numbers) {
   const bool above = glm::dot(point.normal, wi) > 0.0;
-  return {cosineAround(point.normal, numbers), above ? point.colour : glm::dvec3(0.0)};
+  return {cosineAround(point.normal, numbers), above ? point.color("albedo") : glm::dvec3(0.0)};
 }
 
 }  // namespace laver::reference

@@ -17,7 +17,7 @@ glm::dvec3 directWhitted(const CameraSample& sample) {
   }
   const Surface surface = sample.world.surface(*sample.hit);
   if (glm::dot(surface.shading, -sample.direction) <= 0.0) return sum;
-  const BsdfPoint point{surface.mesh->bsdf, surface.albedo, surface.shading};
+  const BsdfPoint point(surface.mesh->bsdf, surface.textureUv, surface.shading);
   const glm::dvec3 wi = glm::normalize(-sample.direction);
   for (const PointLight& light : sample.world.lights()) {
     const LightSample arriving = light.row->sample(light, surface.position);

@@ -1,0 +1,28 @@
+// BSDFs as scenes write them.
+#include <gtest/gtest.h>
+
+#include "support/scene_files.h"
+
+namespace laver::test {
+namespace {
+
+class SceneBsdfs : public testing::Test {
+ protected:
+  SceneBsdfs() { files_.write("t.obj", kTriangle); }
+  static std::string with(const std::string& bsdf) { return scene(mesh(bsdf), "direct_whitted"); }
+  /// The error for a value of a property, in line 3.
+  std::string errorOf(const std::string& type, const std::string& tag, const std::string& name,
+                      const std::string& value) const {
+    return files_.errors(with("<bsdf type=\"" + type + "\">\n<" + tag + " name=\"" + name +
+                              "\" value=\"" + value + "\"/></bsdf>"));
+  }
+  const SceneFiles files_;
+};
+
+TEST_F(SceneBsdfs, BadValuesAreErrors) {
+  EXPECT_EQ(errorOf("dielectric", "float", "intIOR", "0"),
+            "f.xml:3:2: error: intIOR must be more than 0, found 0");
+}
+
+}  // namespace
+}  // namespace laver::test
