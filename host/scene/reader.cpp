@@ -201,7 +201,11 @@ bool Reader::checkTexture(pugi::xml_node node, const ObjectRule& parent) {
   for (const PropertyRow& property : parent.properties)
     if (property.type == PropertyType::Color || property.type == PropertyType::Float)
       names.emplace_back(property.name);
-  if (std::find(names.begin(), names.end(), name) == names.end()) {
+  // Some courses name it after the property with "map" behind it.
+  std::string_view property = name;
+  if (std::find(names.begin(), names.end(), name) == names.end() && name.ends_with("map"))
+    property.remove_suffix(3);
+  if (std::find(names.begin(), names.end(), property) == names.end()) {
     missing(node, Need::Shading,
             fmt::format("<texture> replaces {} of {}, expected name={}", inQuotes(name),
                         nameOf(parent), expectedNames(name, names)));
@@ -214,7 +218,7 @@ bool Reader::checkTexture(pugi::xml_node node, const ObjectRule& parent) {
                            fmt::format("the property {} is given twice; {}", inQuotes(name),
                                        findPropertyType(other.name()) ? "the texture is used"
                                                                       : "the last one is used"));
-  draft_.textured = name;
+  draft_.textured = property;
   return true;
 }
 

@@ -1,25 +1,25 @@
+#include "scene/textures.h"
+
 #include <fmt/format.h>
 
 #include "scene/dump.h"
-#include "scene/properties.h"
 #include "scene/schema.h"
-#include "scene/textures.h"
+#include "scene/texture_forms.h"
 
 namespace laver {
 
 // host/reference/texture/NAME.cpp
 namespace reference {
 glm::dvec3 checker(const Texture& texture, glm::dvec2 st);
-glm::dvec3 bitmap(const Texture& texture, glm::dvec2 st);
+glm::dvec3 constant(const Texture& texture, glm::dvec2 st);
+glm::dvec3 stripes(const Texture& texture, glm::dvec2 st);
+glm::dvec3 uv(const Texture& texture, glm::dvec2 st);
 }  // namespace reference
 
-namespace {
+namespace xml {
 
-using xml::Draft;
-using xml::Properties;
 using enum PropertyType;
 
-/// `rows`, followed by the properties that all textures have.
 std::vector<PropertyRow> placed(std::vector<PropertyRow> rows) {
   const Texture texture;
   const PropertyRow all[] = {
@@ -50,88 +50,160 @@ void addTexture(const Properties& given, Texture texture, Draft& draft) {
   draft.meshes.back().textureOffsets[draft.textured] = given.offset();
 }
 
+PropertyRow pairOf(const char* name, PropertyType type, double start, const char* meaning) {
+  return {.name = name,
+          .type = type,
+          .start = glm::dvec3(start, start, 0.0),
+          .meaning = meaning,
+          .pair = true};
+}
+
+glm::dvec2 pairIn(const Properties& given, std::string_view name) {
+  return glm::dvec2(given.triple(name));
+}
+
+glm::dvec2 inverseScale(const Properties& given) {
+  const glm::dvec2 scale = pairIn(given, "scale");
+  if (scale.x == 0.0 || scale.y == 0.0) given.error("scale", "scale must not be 0");
+  return 1.0 / scale;
+}
+
+namespace {
+
+PropertyRow color(const char* name, glm::dvec3 start, const char* meaning) {
+  return {.name = name, .type = Color, .start = start, .meaning = meaning};
+}
+
+PropertyRow real(const char* name, double start, const char* meaning) {
+  return {.name = name, .type = Float, .start = start, .meaning = meaning};
+}
+
+PropertyRow cell() { return pairOf("scale", Vector, 1.0, "size of a field in u and v"); }
+PropertyRow delta() { return pairOf("delta", Point, 0.0, "fields by which they are moved"); }
+
+/// (s, t) = uv / scale - delta.
+Texture inCells(Texture texture, const Properties& given) {
+  texture.scale = inverseScale(given);
+  texture.offset = -pairIn(given, "delta");
+  return texture;
+}
+
 void buildChecker(const Properties& given, std::string_view, Draft& draft) {
   Texture texture{.row = &textures::checker};
   texture.colors = {given.triple("color1"), given.triple("color2")};
+  // One property for both colours, in a course's own.
+  const bool both = given.wasGiven(given.find("color"));
+  if (both && !given.wasGiven(given.find("color1"))) texture.colors[0] = given.triple("color");
+  if (both && !given.wasGiven(given.find("color2"))) texture.colors[1] = given.triple("color");
   addTexture(given, placed(std::move(texture), given), draft);
 }
 
-void buildBitmap(const Properties& given, std::string_view, Draft& draft) {
-  if (!given.has("filename")) return;
-  Texture texture{.row = &textures::bitmap};
-  texture.filename = given.text("filename");
-  texture.colors.fill(given.triple("color"));
-  texture.raw = given.boolean("raw") || draft.overrides.noriCompat;
-  texture = placed(texture, given);
-  if (given.rule().type == std::string_view("textmap") &&
-      draft.overrides.dialect->textmapMirrored) {
-    texture.raw = true;
-    texture.scale.x = -texture.scale.x;
-    texture.offset.x = -texture.offset.x;
-  }
+void buildCheckerboard(const Properties& given, std::string_view, Draft& draft) {
+  Texture texture{.row = &textures::checker};
+  texture.colors = {given.triple("value1"), given.triple("value2")};
+  addTexture(given, inCells(std::move(texture), given), draft);
+}
+
+void buildFloatCheckerboard(const Properties& given, std::string_view, Draft& draft) {
+  Texture texture{.row = &textures::checker};
+  texture.colors = {glm::dvec3(given.real("value1")), glm::dvec3(given.real("value2"))};
+  addTexture(given, inCells(std::move(texture), given), draft);
+}
+
+void buildConstant(const Properties& given, std::string_view, Draft& draft) {
+  Texture texture{.row = &textures::constant};
+  texture.colors.fill(given.triple("value"));
   addTexture(given, std::move(texture), draft);
 }
 
-std::string describeChecker(const Texture& texture) {
+void buildFloatConstant(const Properties& given, std::string_view, Draft& draft) {
+  Texture texture{.row = &textures::constant};
+  texture.colors.fill(glm::dvec3(given.real("value")));
+  addTexture(given, std::move(texture), draft);
+}
+
+void buildStripes(const Properties& given, std::string_view, Draft& draft) {
+  Texture texture{.row = &textures::stripes};
+  texture.colors = {given.triple("color1"), given.triple("color2")};
+  addTexture(given, inCells(std::move(texture), given), draft);
+}
+
+void buildUv(const Properties& given, std::string_view, Draft& draft) {
+  addTexture(given, {.row = &textures::uv}, draft);
+}
+
+std::string describeColors(const Texture& texture) {
   return fmt::format("color1 = {}, color2 = {}", dump::triple(texture.colors[0]),
                      dump::triple(texture.colors[1]));
 }
 
-std::string describeBitmap(const Texture& texture) {
-  return fmt::format("name = \"{}\", color = {}", texture.filename,
-                     dump::triple(texture.colors[0]));
+std::string describeColor(const Texture& texture) {
+  return fmt::format("value = {}", dump::triple(texture.colors[0]));
 }
 
-Form bitmapForm(const char* type) {
-  return {.type = type,
-          .properties = placed({{.name = "filename",
-                                 .type = String,
-                                 .required = true,
-                                 .meaning = "EXR, PNG or JPEG file"},
-                                {.name = "color",
-                                 .type = Color,
-                                 .start = glm::dvec3(1.0),
-                                 .meaning = "factor of the image"},
-                                {.name = "raw",
-                                 .type = Boolean,
-                                 .start = Texture{}.raw,
-                                 .meaning = "8-bit and 16-bit values are linear, not sRGB"}}),
-          .build = buildBitmap};
-}
+std::string describeUv(const Texture&) { return "(u, v, 0)"; }
+
+const std::vector<Form> kCheckers = {
+    {.type = "checker",
+     .properties = placed(
+         {color("color1", Texture{}.colors[0], "where floor(s) + floor(t) is even"),
+          color("color2", Texture{}.colors[1], "where it is odd"),
+          color("color", Texture{}.colors[0], "both, where color1 and color2 are not given")}),
+     .build = buildChecker},
+    {.type = "checkerboard_color",
+     .properties = {color("value1", glm::dvec3(0.0), "where floor(s) + floor(t) is even"),
+                    color("value2", glm::dvec3(1.0), "where it is odd"), cell(), delta()},
+     .build = buildCheckerboard},
+    {.type = "checkerboard_float",
+     .properties = {real("value1", 0.0, "where floor(s) + floor(t) is even"),
+                    real("value2", 1.0, "where it is odd"), cell(), delta()},
+     .build = buildFloatCheckerboard}};
 
 }  // namespace
+}  // namespace xml
 
 namespace textures {
 
-const TextureRow checker{
-    .name = "checker",
-    .object = "CheckerTexture",
-    .forms = {{.type = "checker",
-               .properties = placed({{.name = "color1",
-                                      .type = Color,
-                                      .start = Texture{}.colors[0],
-                                      .meaning = "where floor(s) + floor(t) is even"},
-                                     {.name = "color2",
-                                      .type = Color,
-                                      .start = Texture{}.colors[1],
-                                      .meaning = "where it is odd"}}),
-               .build = buildChecker}},
-    .color = reference::checker,
-    .describe = describeChecker};
+const TextureRow checker{.name = "checker",
+                         .object = "CheckerTexture",
+                         .forms = xml::kCheckers,
+                         .color = reference::checker,
+                         .describe = xml::describeColors};
 
-const TextureRow bitmap{
-    .name = "bitmap",
-    .object = "Texture",
-    .forms = {bitmapForm("textmap"), bitmapForm("image_texture"), bitmapForm("bitmap")},
-    .picture = true,
-    .color = reference::bitmap,
-    .describe = describeBitmap};
+const TextureRow constant{
+    .name = "constant",
+    .object = "ConstantTexture",
+    .forms = {{.type = "constant_color",
+               .properties = {xml::color("value", glm::dvec3(0.0), "everywhere")},
+               .build = xml::buildConstant},
+              {.type = "constant_float",
+               .properties = {xml::real("value", 0.0, "everywhere")},
+               .build = xml::buildFloatConstant}},
+    .color = reference::constant,
+    .describe = xml::describeColor};
+
+const TextureRow stripes{
+    .name = "stripes",
+    .object = "StripesTexture",
+    .forms = {{.type = "proceduraltexture",
+               .properties = {xml::color("color1", glm::dvec3(0.0), "where floor(s) is even"),
+                              xml::color("color2", glm::dvec3(1.0), "where it is odd"), xml::cell(),
+                              xml::delta()},
+               .build = xml::buildStripes}},
+    .color = reference::stripes,
+    .describe = xml::describeColors};
+
+const TextureRow uv{.name = "uv",
+                    .object = "UvTexture",
+                    .forms = {{.type = "uvtexture", .build = xml::buildUv}},
+                    .color = reference::uv,
+                    .describe = xml::describeUv};
 
 }  // namespace textures
 
 const Rows<TextureRow>& textureRows() {
   using namespace textures;
-  static const Rows<TextureRow> rows = {&checker, &bitmap};
+  static const Rows<TextureRow> rows = {&checker, &constant, &stripes, &uv, &bitmap, &nearest};
   return rows;
 }
 

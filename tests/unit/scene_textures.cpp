@@ -99,6 +99,79 @@ TEST_F(SceneTextures, EveryNameOfATypeAndAFileIsReadOnce) {
   }
 }
 
+TEST_F(SceneTextures, CoursesWriteScaleAndOffsetInTheirOwnWays) {
+  const std::string cells =
+      "<vector name=\"scale\" value=\"0.5, 0.25\"/>"
+      "<point name=\"delta\" value=\"3 5\"/>";
+  const std::string file = "<string name=\"filename\" value=\"a.png\"/>";
+  struct Written {
+    std::string type, inside;
+    const char* row;
+    glm::dvec2 scale, offset;
+    bool raw, red;
+  };
+  const Written all[] = {
+      {"checkerboard_color", cells, "checker", {2, 4}, {-3, -5}, false, false},
+      {"checkerboard_float", cells, "checker", {2, 4}, {-3, -5}, false, false},
+      {"proceduraltexture", cells, "stripes", {2, 4}, {-3, -5}, false, false},
+      {"constant_color", "", "constant", {1, 1}, {0, 0}, false, false},
+      {"constant_float", "", "constant", {1, 1}, {0, 0}, false, false},
+      {"uvtexture", "", "uv", {1, 1}, {0, 0}, false, false},
+      {"image_texture",
+       file + "<vector name=\"scale\" value=\"2, 3\"/><vector name=\"shift\" value=\"4 5\"/>"
+              "<boolean name=\"linear_rgb\" value=\"false\"/>",
+       "bitmap",
+       {2, 3},
+       {4, 5},
+       true,
+       false},
+      {"image_texture_float",
+       file + "<vector name=\"scale\" value=\"2, 4\"/>",
+       "bitmap",
+       {0.5, 0.25},
+       {0, 0},
+       true,
+       true},
+      {"imagetexture",
+       "<string name=\"fileName\" value=\"a.png\"/><vector name=\"scale\" value=\"2, 4\"/>",
+       "nearest",
+       {0.5, 0.25},
+       {0, 0},
+       true,
+       false},
+      {"png_texture",
+       file + "<float name=\"scaleU\" value=\"2\"/><float name=\"offsetV\" value=\"3\"/>",
+       "bitmap",
+       {2, 1},
+       {0, 3},
+       false,
+       false}};
+  for (const Written& w : all) {
+    SCOPED_TRACE(w.type);
+    const auto loaded = files_.load(
+        whitted("<texture name=\"albedo\" type=\"" + w.type + "\">" + w.inside + "</texture>"));
+    EXPECT_EQ(loaded.warnings.size(), w.type == "image_texture" ? 1U : 0U);
+    const Texture* texture = loaded.scene.meshes.at(0).bsdf.texture("albedo");
+    ASSERT_NE(texture, nullptr);
+    EXPECT_STREQ(texture->row->name, w.row);
+    EXPECT_EQ(texture->scale, w.scale);
+    EXPECT_EQ(texture->offset, w.offset);
+    EXPECT_EQ(texture->raw, w.raw);
+    EXPECT_EQ(texture->red, w.red);
+    EXPECT_EQ(texture->image != nullptr, texture->row->picture);
+  }
+}
+
+TEST_F(SceneTextures, AScaleThatCoursesUnderstandInTwoWaysIsAWarning) {
+  const std::string file = "<string name=\"filename\" value=\"a.png\"/>";
+  EXPECT_EQ(files_.warnings(whitted("\n<texture name=\"albedo\" type=\"image_texture\">" + file +
+                                    "\n<vector name=\"scale\" value=\"2, 3\"/></texture>")),
+            "f.xml:5:2: warning: scale multiplies u and v; in some courses it divides them");
+  EXPECT_EQ(files_.errors(whitted("<texture name=\"albedo\" type=\"checkerboard_color\">"
+                                  "\n<vector name=\"scale\" value=\"0, 3\"/></texture>")),
+            "f.xml:4:2: error: scale must not be 0");
+}
+
 // Zaragoza's course reads files from right to left and does not decode them.
 TEST_F(SceneTextures, TextmapIsMirroredInOneDialect) {
   const std::string text = whitted(
@@ -110,6 +183,20 @@ TEST_F(SceneTextures, TextmapIsMirroredInOneDialect) {
   EXPECT_EQ(texture.scale, glm::dvec2(-1, 1));
   EXPECT_TRUE(texture.raw);
   EXPECT_EQ(files_.load(text).scene.meshes[0].bsdf.texture("albedo")->scale, glm::dvec2(1));
+}
+
+// A course reads both colours of its checker from one property.
+TEST_F(SceneTextures, OneColourOfACheckerIsBoth) {
+  const auto colors = [&](const std::string& inside) {
+    const auto s =
+        files_.load(whitted("<texture type=\"checker\" name=\"albedo\">" + inside + "</texture>"))
+            .scene;
+    return s.meshes.at(0).bsdf.texture("albedo")->colors;
+  };
+  const std::string both = "<color name=\"color\" value=\"1 2 3\"/>";
+  EXPECT_EQ(colors(both)[0], glm::dvec3(1, 2, 3));
+  EXPECT_EQ(colors(both)[1], glm::dvec3(1, 2, 3));
+  EXPECT_EQ(colors(both + "<color name=\"color2\" value=\"4 5 6\"/>")[1], glm::dvec3(4, 5, 6));
 }
 
 TEST_F(SceneTextures, NoriCompatReadsBytesAsLinear) {

@@ -1,0 +1,175 @@
+// The rows of textures that show a file.
+#include <fmt/format.h>
+
+#include "scene/dump.h"
+#include "scene/schema.h"
+#include "scene/texture_forms.h"
+
+namespace laver {
+
+// host/reference/texture/NAME.cpp
+namespace reference {
+glm::dvec3 bitmap(const Texture& texture, glm::dvec2 st);
+glm::dvec3 nearest(const Texture& texture, glm::dvec2 st);
+}  // namespace reference
+
+namespace xml {
+namespace {
+
+using enum PropertyType;
+
+PropertyRow file(const char* name) {
+  return {.name = name,
+          .type = String,
+          .required = true,
+          .meaning = "EXR, PNG or JPEG, beside the scene"};
+}
+
+PropertyRow real(const char* name, double start, const char* meaning) {
+  return {.name = name, .type = Float, .start = start, .meaning = meaning};
+}
+
+PropertyRow boolean(const char* name, bool start, const char* meaning) {
+  return {.name = name, .type = Boolean, .start = start, .meaning = meaning};
+}
+
+PropertyRow factor() {
+  return {
+      .name = "color", .type = Color, .start = glm::dvec3(1.0), .meaning = "factor of the picture"};
+}
+
+PropertyRow raw() {
+  return boolean("raw", Texture{}.raw, "8-bit and 16-bit values are linear, not sRGB");
+}
+
+/// The texture of a file; none if it is not named.
+std::optional<Texture> imageOf(const Properties& given, const char* name, const Draft& draft) {
+  if (!given.has(name)) return std::nullopt;
+  Texture texture{.row = &textures::bitmap};
+  texture.filename = given.text(name);
+  texture.colors.fill(glm::dvec3(1.0));
+  texture.raw = draft.overrides.noriCompat;
+  return texture;
+}
+
+void buildBitmap(const Properties& given, std::string_view, Draft& draft) {
+  std::optional<Texture> texture = imageOf(given, "filename", draft);
+  if (!texture) return;
+  texture->colors.fill(given.triple("color"));
+  texture->raw |= given.boolean("raw");
+  *texture = placed(*texture, given);
+  if (given.rule().type == std::string_view("textmap") &&
+      draft.overrides.dialect->textmapMirrored) {
+    texture->raw = true;
+    texture->scale.x = -texture->scale.x;
+    texture->offset.x = -texture->offset.x;
+  }
+  addTexture(given, *texture, draft);
+}
+
+void buildImageTexture(const Properties& given, std::string_view, Draft& draft) {
+  std::optional<Texture> texture = imageOf(given, "filename", draft);
+  if (!texture) return;
+  texture->colors.fill(given.triple("color"));
+  texture->raw |= given.boolean("raw") || !given.boolean("linear_rgb");
+  *texture = placed(*texture, given);
+  const glm::dvec2 scale = pairIn(given, "scale");
+  if (scale != glm::dvec2(1.0))
+    given.warning("scale", "scale multiplies u and v; in some courses it divides them");
+  texture->scale *= scale;
+  texture->offset += pairIn(given, "shift");
+  addTexture(given, *texture, draft);
+}
+
+void buildFloatImage(const Properties& given, std::string_view, Draft& draft) {
+  std::optional<Texture> texture = imageOf(given, "filename", draft);
+  if (!texture) return;
+  texture->raw = texture->red = true;
+  texture->scale = inverseScale(given);
+  addTexture(given, *texture, draft);
+}
+
+// Rows count from the top, and so does v.
+void buildNearest(const Properties& given, std::string_view, Draft& draft) {
+  std::optional<Texture> texture = imageOf(given, "fileName", draft);
+  if (!texture) return;
+  texture->row = &textures::nearest;
+  texture->raw = true;
+  texture->scale = inverseScale(given);
+  addTexture(given, *texture, draft);
+}
+
+void buildPng(const Properties& given, std::string_view, Draft& draft) {
+  std::optional<Texture> texture = imageOf(given, "filename", draft);
+  if (!texture) return;
+  texture->raw |= !given.boolean("sRGB");
+  texture->colors.fill(glm::dvec3(given.real("intensity")));
+  texture->scale = {given.real("scaleU"), given.real("scaleV")};
+  texture->offset = {given.real("offsetU"), given.real("offsetV")};
+  addTexture(given, *texture, draft);
+}
+
+Form bitmapForm(const char* type) {
+  return {.type = type,
+          .properties = placed({file("filename"), factor(), raw()}),
+          .build = buildBitmap};
+}
+
+Form imageTexture() {
+  return {.type = "image_texture",
+          .properties = placed(
+              {file("filename"), factor(), raw(), pairOf("scale", Vector, 1.0, "factor of u and v"),
+               pairOf("shift", Point, 0.0, "added to the scaled u and v"),
+               boolean("linear_rgb", true, "8-bit and 16-bit values are decoded from sRGB")}),
+          .build = buildImageTexture};
+}
+
+Form floatImage() {
+  return {
+      .type = "image_texture_float",
+      .properties = {file("filename"), pairOf("scale", Vector, 1.0, "u and v are divided by it")},
+      .build = buildFloatImage};
+}
+
+Form pngTexture() {
+  return {.type = "png_texture",
+          .properties = {file("filename"),
+                         boolean("sRGB", true, "8-bit and 16-bit values are decoded from sRGB"),
+                         real("intensity", 1.0, "factor of the picture"),
+                         real("scaleU", 1.0, "factor of u"), real("scaleV", 1.0, "factor of v"),
+                         real("offsetU", 0.0, "added to the scaled u"),
+                         real("offsetV", 0.0, "added to the scaled v")},
+          .build = buildPng};
+}
+
+std::string describeImage(const Texture& texture) {
+  return fmt::format("name = \"{}\", color = {}", texture.filename,
+                     dump::triple(texture.colors[0]));
+}
+
+}  // namespace
+}  // namespace xml
+
+namespace textures {
+
+const TextureRow bitmap{.name = "bitmap",
+                        .object = "Texture",
+                        .forms = {xml::bitmapForm("textmap"), xml::imageTexture(),
+                                  xml::bitmapForm("bitmap"), xml::floatImage(), xml::pngTexture()},
+                        .picture = true,
+                        .color = reference::bitmap,
+                        .describe = xml::describeImage};
+
+const TextureRow nearest{
+    .name = "nearest",
+    .object = "NearestTexture",
+    .forms = {{.type = "imagetexture",
+               .properties = {xml::file("fileName"), xml::pairOf("scale", PropertyType::Vector, 1.0,
+                                                                 "u and v are divided by it")},
+               .build = xml::buildNearest}},
+    .picture = true,
+    .color = reference::nearest,
+    .describe = xml::describeImage};
+
+}  // namespace textures
+}  // namespace laver
