@@ -15,3 +15,13 @@ float dielectricFresnel(float cosine, float here, float beyond) {
   const float c2Squared = 1.0 - eta * eta * (1.0 - cosine * cosine);
   return c2Squared < 0.0 ? 1.0 : fresnelOf(eta, cosine, sqrt(c2Squared));
 }
+
+// Of a conductor of the complex index eta + i k, for eta^2 + k^2 much larger than 1.
+vec3 conductorFresnel(float cosine, vec3 eta, vec3 k) {
+  const vec3 t = eta * eta + k * k;
+  const vec3 twice = eta * (2.0 * cosine);
+  const float c2 = cosine * cosine;
+  const vec3 parallel = (t * c2 - twice + 1.0) / (t * c2 + twice + 1.0);
+  const vec3 perpendicular = (t - twice + c2) / (t + twice + c2);
+  return (parallel + perpendicular) * 0.5;
+}

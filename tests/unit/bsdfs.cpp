@@ -6,6 +6,7 @@
 #include <random>
 
 #include "reference/bsdf.h"
+#include "reference/facets.h"
 #include "scene/bsdfs.h"
 #include "support/bsdf_cases.h"
 
@@ -140,6 +141,16 @@ TEST(Fresnel, OfGlassHeadOnAndAtTheLimit) {
   EXPECT_NEAR(reference::fresnel(1.0, 1.000277, 1.5046), 0.0405, 5e-5);
   EXPECT_EQ(reference::fresnel(0.3, 1.3, 1.3), 0.0);
   EXPECT_EQ(reference::fresnel(-0.1, 1.0, 1.5), 1.0);  // total reflection
+}
+
+TEST(Fresnel, OfConductorsHeadOn) {
+  const glm::dvec3 eta(0.2, 1.0, 4.0), k(3.0, 0.0, 2.0);
+  const glm::dvec3 f = reference::conductorFresnel(1.0, eta, k);
+  for (int c = 0; c < 3; ++c) {
+    const double k2 = k[c] * k[c];
+    EXPECT_NEAR(f[c], (std::pow(eta[c] - 1.0, 2.0) + k2) / (std::pow(eta[c] + 1.0, 2.0) + k2),
+                1e-14);
+  }
 }
 
 }  // namespace
