@@ -12,6 +12,7 @@ namespace reference {
 LAVER_BSDF_TWIN(diffuse);
 LAVER_BSDF_TWIN(mirror);
 LAVER_BSDF_TWIN(dielectric);
+LAVER_BSDF_TWIN(microfacet);
 }  // namespace reference
 #undef LAVER_BSDF_TWIN
 
@@ -41,6 +42,15 @@ PropertyRow exterior() {
   return real("extIOR", 1.000277, "index of refraction outside", moreThan(0.0));
 }
 
+PropertyRow alpha() {
+  return real("alpha", 0.1, "roughness of Beckmann's distribution; below 0.001 it is 0.001",
+              moreThan(0.0));
+}
+
+PropertyRow diffuseShare() {
+  return color("kd", glm::dvec3(0.5), "share of diffuse reflection", fromTo(0.0, 1.0));
+}
+
 const BsdfRow mirror{.name = "mirror",
                      .object = "Mirror",
                      .delta = true,
@@ -57,6 +67,13 @@ const BsdfRow dielectric{.name = "dielectric",
                          .pdf = reference::dielectricPdf,
                          .sample = reference::dielectricSample};
 
+const BsdfRow microfacet{.name = "microfacet",
+                         .object = "Microfacet",
+                         .properties = {alpha(), interior(), exterior(), diffuseShare()},
+                         .eval = reference::microfacetEval,
+                         .pdf = reference::microfacetPdf,
+                         .sample = reference::microfacetSample};
+
 }  // namespace
 
 const BsdfRow diffuse{
@@ -71,7 +88,7 @@ const BsdfRow diffuse{
 
 const Rows<BsdfRow>& bsdfRows() {
   using namespace bsdfs;
-  static const Rows<BsdfRow> rows = {&diffuse, &mirror, &dielectric};
+  static const Rows<BsdfRow> rows = {&diffuse, &mirror, &dielectric, &microfacet};
   return rows;
 }
 

@@ -48,7 +48,10 @@ Bsdf textured(Bsdf bsdf) {
 }
 
 /// Further values of a BSDF's numbers.
-std::vector<Values> variantsOf(const std::string&) { return {}; }
+std::vector<Values> variantsOf(const std::string& name) {
+  if (name == "microfacet") return {{{"alpha", 0.4}}};
+  return {};
+}
 
 double valueOf(const Bsdf& bsdf, const char* name, double otherwise) {
   for (const PropertyRow& property : bsdf.row->properties)

@@ -137,6 +137,40 @@ TEST_P(Bsdfs, DensitiesAreThoseOfTheSamples) {
 
 INSTANTIATE_TEST_SUITE_P(Cases, Bsdfs, testing::ValuesIn(bsdfCases()), nameOf);
 
+/// The share of light from everywhere that is reflected, and the variance of single samples, both
+/// as luminance, by 512 x 512 strata of the numbers.
+struct Reflected {
+  double mean = 0.0, variance = 0.0;
+};
+Reflected reflectedBy(const Bsdf& bsdf, double theta) {
+  const BsdfPoint point(bsdf, kUv, kUp);
+  constexpr int kSide = 512;
+  double sum = 0.0, squares = 0.0;
+  for (int i = 0; i < kSide; ++i)
+    for (int j = 0; j < kSide; ++j) {
+      const glm::dvec2 numbers((i + 0.5) / kSide, (j + 0.5) / kSide);
+      const double y =
+          reference::luminance(bsdf.row->sample(point, directionAt(theta, 0.0), numbers).weight);
+      sum += y;
+      squares += y * y;
+    }
+  const double mean = sum / (kSide * kSide);
+  return {mean, squares / (kSide * kSide) - mean * mean};
+}
+
+// The courses' own test takes 100,000 samples. Three of their standard errors.
+TEST(Microfacet, ReflectsWhatTheCoursesTestSays) {
+  Bsdf bsdf{.row = rowCalled(bsdfRows(), "microfacet")};
+  bsdf.set("intIOR", 1.5);
+  bsdf.set("kd", glm::dvec3(0.1, 0.2, 0.15));
+  const double angles[] = {0.0, 45.0, 60.0, 80.0, 85.0};
+  const double wanted[] = {0.207067, 0.215733, 0.247884, 0.430936, 0.519016};
+  for (int i = 0; i < 5; ++i) {
+    const Reflected got = reflectedBy(bsdf, angles[i] * kPi / 180.0);
+    EXPECT_NEAR(got.mean, wanted[i], 3.0 * std::sqrt(got.variance / 1e5)) << angles[i];
+  }
+}
+
 TEST(Fresnel, OfGlassHeadOnAndAtTheLimit) {
   EXPECT_NEAR(reference::fresnel(1.0, 1.000277, 1.5046), 0.0405, 5e-5);
   EXPECT_EQ(reference::fresnel(0.3, 1.3, 1.3), 0.0);

@@ -22,6 +22,10 @@ class SceneBsdfs : public testing::Test {
 TEST_F(SceneBsdfs, BadValuesAreErrors) {
   EXPECT_EQ(errorOf("dielectric", "float", "intIOR", "0"),
             "f.xml:3:2: error: intIOR must be more than 0, found 0");
+  EXPECT_EQ(errorOf("microfacet", "float", "alpha", "0"),
+            "f.xml:3:2: error: alpha must be more than 0, found 0");
+  EXPECT_EQ(errorOf("microfacet", "color", "kd", "0.5 1.5 0"),
+            "f.xml:3:2: error: kd must be 0 to 1, found 0.5 1.5 0");
 }
 
 }  // namespace
