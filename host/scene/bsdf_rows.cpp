@@ -13,6 +13,7 @@ LAVER_BSDF_TWIN(diffuse);
 LAVER_BSDF_TWIN(mirror);
 LAVER_BSDF_TWIN(dielectric);
 LAVER_BSDF_TWIN(microfacet);
+LAVER_BSDF_TWIN(disney);
 }  // namespace reference
 #undef LAVER_BSDF_TWIN
 
@@ -35,6 +36,10 @@ PropertyRow real(const char* name, double start, const char* meaning, Range rang
           .meaning = meaning};
 }
 
+PropertyRow share(const char* name, double start, const char* meaning) {
+  return real(name, start, meaning, fromTo(0.0, 1.0));
+}
+
 PropertyRow interior() {
   return real("intIOR", 1.5046, "index of refraction inside", moreThan(0.0));
 }
@@ -49,6 +54,11 @@ PropertyRow alpha() {
 
 PropertyRow diffuseShare() {
   return color("kd", glm::dvec3(0.5), "share of diffuse reflection", fromTo(0.0, 1.0));
+}
+
+/// Anything but 0 is refused.
+PropertyRow anisotropic() {
+  return real("anisotropic", 0.0, "laver has the isotropic form only", fromTo(0.0, 0.0));
 }
 
 const BsdfRow mirror{.name = "mirror",
@@ -74,6 +84,26 @@ const BsdfRow microfacet{.name = "microfacet",
                          .pdf = reference::microfacetPdf,
                          .sample = reference::microfacetSample};
 
+const BsdfRow disney{
+    .name = "disney",
+    .object = "Disney",
+    .properties = {color("baseColor", glm::dvec3(0.5), "linear", fromTo(0.0, 1.0)),
+                   share("metallic", 0.0, "0: a dielectric, 1: a conductor"),
+                   share("subsurface", 0.0,
+                         "diffuse reflection as of light that was scattered below"),
+                   real("specular", 0.5, "of a dielectric: reflectance at normal incidence / 0.08",
+                        atLeast(0.0)),
+                   share("specularTint", 0.0, "share of the base colour's hue in it"),
+                   share("roughness", 0.5, "square root of the distribution's alpha"),
+                   anisotropic(),
+                   real("sheen", 0.0, "diffuse reflection added at grazing angles", atLeast(0.0)),
+                   share("sheenTint", 0.0, "share of the base colour's hue in it"),
+                   real("clearcoat", 0.0, "strength of a clear coat", atLeast(0.0)),
+                   share("clearcoatGloss", 0.0, "0: satin, 1: glossy")},
+    .eval = reference::disneyEval,
+    .pdf = reference::disneyPdf,
+    .sample = reference::disneySample};
+
 }  // namespace
 
 const BsdfRow diffuse{
@@ -88,7 +118,7 @@ const BsdfRow diffuse{
 
 const Rows<BsdfRow>& bsdfRows() {
   using namespace bsdfs;
-  static const Rows<BsdfRow> rows = {&diffuse, &mirror, &dielectric, &microfacet};
+  static const Rows<BsdfRow> rows = {&diffuse, &mirror, &dielectric, &microfacet, &disney};
   return rows;
 }
 

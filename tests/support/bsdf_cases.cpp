@@ -50,6 +50,10 @@ Bsdf textured(Bsdf bsdf) {
 /// Further values of a BSDF's numbers.
 std::vector<Values> variantsOf(const std::string& name) {
   if (name == "microfacet") return {{{"alpha", 0.4}}};
+  if (name == "disney")
+    return {{{"metallic", 1.0}, {"roughness", 0.4}},
+            {{"clearcoat", 1.0}, {"clearcoatGloss", 0.3}, {"specularTint", 0.5}},
+            {{"subsurface", 0.6}, {"sheen", 0.5}, {"sheenTint", 0.5}, {"roughness", 0.8}}};
   return {};
 }
 

@@ -26,6 +26,12 @@ TEST_F(SceneBsdfs, BadValuesAreErrors) {
             "f.xml:3:2: error: alpha must be more than 0, found 0");
   EXPECT_EQ(errorOf("microfacet", "color", "kd", "0.5 1.5 0"),
             "f.xml:3:2: error: kd must be 0 to 1, found 0.5 1.5 0");
+  EXPECT_EQ(errorOf("disney", "float", "metallic", "2"),
+            "f.xml:3:2: error: metallic must be 0 to 1, found 2");
+  EXPECT_EQ(errorOf("disney", "float", "sheen", "-1"),
+            "f.xml:3:2: error: sheen must be at least 0, found -1");
+  EXPECT_EQ(errorOf("disney", "float", "anisotropic", "0.5"),
+            "f.xml:3:2: error: anisotropic must be 0, found 0.5");
 }
 
 }  // namespace

@@ -199,6 +199,19 @@ TEST_F(SceneTextures, OneColourOfACheckerIsBoth) {
   EXPECT_EQ(colors(both + "<color name=\"color2\" value=\"4 5 6\"/>")[1], glm::dvec3(4, 5, 6));
 }
 
+TEST_F(SceneTextures, StandForNumbersAndUnderNamesThatEndInMap) {
+  const auto loaded = files_.load(
+      scene(mesh("<bsdf type=\"disney\"><texture type=\"checkerboard_float\" "
+                 "name=\"metallic\"/><texture type=\"image_texture_float\" "
+                 "name=\"roughnessmap\"><string name=\"filename\" value=\"a.png\"/></texture>"
+                 "</bsdf>"),
+            "direct_whitted"));
+  EXPECT_TRUE(loaded.warnings.empty());
+  const Bsdf& bsdf = loaded.scene.meshes.at(0).bsdf;
+  EXPECT_NE(bsdf.texture("metallic"), nullptr);
+  EXPECT_NE(bsdf.texture("roughness"), nullptr);
+}
+
 TEST_F(SceneTextures, NoriCompatReadsBytesAsLinear) {
   SceneOverrides overrides;
   overrides.noriCompat = true;
