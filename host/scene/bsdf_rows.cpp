@@ -13,6 +13,7 @@ LAVER_BSDF_TWIN(diffuse);
 LAVER_BSDF_TWIN(mirror);
 LAVER_BSDF_TWIN(dielectric);
 LAVER_BSDF_TWIN(microfacet);
+LAVER_BSDF_TWIN(microfacetConductor);
 LAVER_BSDF_TWIN(disney);
 }  // namespace reference
 #undef LAVER_BSDF_TWIN
@@ -56,9 +57,32 @@ PropertyRow diffuseShare() {
   return color("kd", glm::dvec3(0.5), "share of diffuse reflection", fromTo(0.0, 1.0));
 }
 
+PropertyRow material(const char* meaning) {
+  return {
+      .name = "material", .type = PropertyType::String, .start = std::string(), .meaning = meaning};
+}
+/// The parts of a conductor's complex index of refraction.
+PropertyRow realIndex(const char* name, glm::dvec3 start) {
+  return color(name, start, "index of refraction", moreThan(0.0));
+}
+PropertyRow imaginaryIndex(const char* name, glm::dvec3 start) {
+  return color(name, start, "its imaginary part", atLeast(0.0));
+}
+
 /// Anything but 0 is refused.
 PropertyRow anisotropic() {
   return real("anisotropic", 0.0, "laver has the isotropic form only", fromTo(0.0, 0.0));
+}
+
+const glm::dvec3 kGoldEta(0.143, 0.375, 1.442), kGoldK(3.983, 2.386, 1.603);
+const glm::dvec3 kCopperEta(0.200, 0.924, 1.102), kCopperK(3.913, 2.452, 2.142);
+const glm::dvec3 kChromeEta(4.370, 2.917, 1.655), kChromeK(5.206, 4.231, 3.755);
+
+/// Metals by their symbols, of a row that names its index of refraction so.
+std::vector<NamedMaterial> metals(const char* eta, const char* k) {
+  return {{"Au", {{eta, kGoldEta}, {k, kGoldK}}},
+          {"Cu", {{eta, kCopperEta}, {k, kCopperK}}},
+          {"Cr", {{eta, kChromeEta}, {k, kChromeK}}}};
 }
 
 const BsdfRow mirror{.name = "mirror",
@@ -83,6 +107,16 @@ const BsdfRow microfacet{.name = "microfacet",
                          .eval = reference::microfacetEval,
                          .pdf = reference::microfacetPdf,
                          .sample = reference::microfacetSample};
+
+const BsdfRow microfacetConductor{
+    .name = "microfacet_conductor",
+    .object = "MicrofacetConductor",
+    .properties = {alpha(), material("Au, Cu or Cr, for intIOR and intK"),
+                   realIndex("intIOR", kCopperEta), imaginaryIndex("intK", kCopperK)},
+    .materials = metals("intIOR", "intK"),
+    .eval = reference::microfacetConductorEval,
+    .pdf = reference::microfacetConductorPdf,
+    .sample = reference::microfacetConductorSample};
 
 const BsdfRow disney{
     .name = "disney",
@@ -118,7 +152,8 @@ const BsdfRow diffuse{
 
 const Rows<BsdfRow>& bsdfRows() {
   using namespace bsdfs;
-  static const Rows<BsdfRow> rows = {&diffuse, &mirror, &dielectric, &microfacet, &disney};
+  static const Rows<BsdfRow> rows = {&diffuse,    &mirror, &dielectric,
+                                     &microfacet, &disney, &microfacetConductor};
   return rows;
 }
 

@@ -10,6 +10,11 @@ class SceneBsdfs : public testing::Test {
  protected:
   SceneBsdfs() { files_.write("t.obj", kTriangle); }
   static std::string with(const std::string& bsdf) { return scene(mesh(bsdf), "direct_whitted"); }
+  Bsdf load(const std::string& bsdf) const { return files_.load(with(bsdf)).scene.meshes[0].bsdf; }
+  static std::string named(const std::string& type, const std::string& material) {
+    return "<bsdf type=\"" + type + "\"><float name=\"alpha\" value=\"0.3\"/>" +
+           "<string name=\"material\" value=\"" + material + "\"/></bsdf>";
+  }
   /// The error for a value of a property, in line 3.
   std::string errorOf(const std::string& type, const std::string& tag, const std::string& name,
                       const std::string& value) const {
@@ -32,6 +37,17 @@ TEST_F(SceneBsdfs, BadValuesAreErrors) {
             "f.xml:3:2: error: sheen must be at least 0, found -1");
   EXPECT_EQ(errorOf("disney", "float", "anisotropic", "0.5"),
             "f.xml:3:2: error: anisotropic must be 0, found 0.5");
+  EXPECT_EQ(errorOf("microfacet_conductor", "color", "intIOR", "1 0 1"),
+            "f.xml:3:2: error: intIOR must be more than 0, found 1 0 1");
+  EXPECT_EQ(errorOf("microfacet_conductor", "color", "intK", "1 -1 1"),
+            "f.xml:3:2: error: intK must be at least 0, found 1 -1 1");
+}
+
+TEST_F(SceneBsdfs, AnUnknownMaterialIsAnError) {
+  EXPECT_EQ(
+      files_.errors(with("\n" + named("microfacet_conductor", "Xx"))),
+      "f.xml:3:69: error: bsdf \"microfacet_conductor\" has no material \"Xx\": expected \"Au\", "
+      "\"Cu\" or \"Cr\"");
 }
 
 }  // namespace
