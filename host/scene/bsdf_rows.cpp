@@ -13,6 +13,7 @@ LAVER_BSDF_TWIN(diffuse);
 LAVER_BSDF_TWIN(mirror);
 LAVER_BSDF_TWIN(dielectric);
 LAVER_BSDF_TWIN(microfacet);
+LAVER_BSDF_TWIN(roughconductor);
 LAVER_BSDF_TWIN(microfacetConductor);
 LAVER_BSDF_TWIN(disney);
 }  // namespace reference
@@ -118,6 +119,18 @@ const BsdfRow microfacetConductor{
     .pdf = reference::microfacetConductorPdf,
     .sample = reference::microfacetConductorSample};
 
+const BsdfRow roughconductor{
+    .name = "roughconductor",
+    .object = "RoughConductor",
+    .properties = {alpha(),
+                   color("R0", glm::dvec3(0.5), "reflectance at normal incidence",
+                         fromTo(0.0, 1.0)),
+                   material("Au, Cu or Cr: a microfacet_conductor of it")},
+    .ofMaterial = &microfacetConductor,
+    .eval = reference::roughconductorEval,
+    .pdf = reference::roughconductorPdf,
+    .sample = reference::roughconductorSample};
+
 const BsdfRow disney{
     .name = "disney",
     .object = "Disney",
@@ -152,8 +165,8 @@ const BsdfRow diffuse{
 
 const Rows<BsdfRow>& bsdfRows() {
   using namespace bsdfs;
-  static const Rows<BsdfRow> rows = {&diffuse,    &mirror, &dielectric,
-                                     &microfacet, &disney, &microfacetConductor};
+  static const Rows<BsdfRow> rows = {
+      &diffuse, &mirror, &dielectric, &microfacet, &disney, &microfacetConductor, &roughconductor};
   return rows;
 }
 

@@ -43,6 +43,14 @@ TEST_F(SceneBsdfs, BadValuesAreErrors) {
             "f.xml:3:2: error: intK must be at least 0, found 1 -1 1");
 }
 
+TEST_F(SceneBsdfs, ARoughConductorOfAMaterialGoesByItsIndices) {
+  const Bsdf bsdf = load(named("roughconductor", "Cr"));
+  EXPECT_STREQ(bsdf.row->name, "microfacet_conductor");
+  EXPECT_EQ(bsdf.color("intIOR"), glm::dvec3(4.370, 2.917, 1.655));
+  EXPECT_EQ(bsdf.real("alpha"), 0.3);
+  EXPECT_STREQ(load("<bsdf type=\"roughconductor\"/>").row->name, "roughconductor");
+}
+
 TEST_F(SceneBsdfs, AnUnknownMaterialIsAnError) {
   EXPECT_EQ(
       files_.errors(with("\n" + named("microfacet_conductor", "Xx"))),
