@@ -14,6 +14,7 @@ LAVER_BSDF_TWIN(mirror);
 LAVER_BSDF_TWIN(dielectric);
 LAVER_BSDF_TWIN(microfacet);
 LAVER_BSDF_TWIN(roughconductor);
+LAVER_BSDF_TWIN(conductor);
 LAVER_BSDF_TWIN(microfacetConductor);
 LAVER_BSDF_TWIN(disney);
 }  // namespace reference
@@ -109,6 +110,16 @@ const BsdfRow microfacet{.name = "microfacet",
                          .pdf = reference::microfacetPdf,
                          .sample = reference::microfacetSample};
 
+const BsdfRow conductor{.name = "conductor",
+                        .object = "Conductor",
+                        .properties = {material("Au, Cu or Cr, for eta and k"),
+                                       realIndex("eta", kGoldEta), imaginaryIndex("k", kGoldK)},
+                        .materials = metals("eta", "k"),
+                        .delta = true,
+                        .eval = reference::conductorEval,
+                        .pdf = reference::conductorPdf,
+                        .sample = reference::conductorSample};
+
 const BsdfRow microfacetConductor{
     .name = "microfacet_conductor",
     .object = "MicrofacetConductor",
@@ -165,8 +176,9 @@ const BsdfRow diffuse{
 
 const Rows<BsdfRow>& bsdfRows() {
   using namespace bsdfs;
-  static const Rows<BsdfRow> rows = {
-      &diffuse, &mirror, &dielectric, &microfacet, &disney, &microfacetConductor, &roughconductor};
+  static const Rows<BsdfRow> rows = {&diffuse,        &mirror,   &dielectric,
+                                     &microfacet,     &disney,   &microfacetConductor,
+                                     &roughconductor, &conductor};
   return rows;
 }
 

@@ -43,6 +43,15 @@ TEST_F(SceneBsdfs, BadValuesAreErrors) {
             "f.xml:3:2: error: intK must be at least 0, found 1 -1 1");
 }
 
+TEST_F(SceneBsdfs, AMaterialsNameStandsForItsIndices) {
+  const Bsdf bsdf = load(
+      "<bsdf type=\"conductor\"><string name=\"material\" value=\"Cu\"/>"
+      "<color name=\"k\" value=\"1 2 3\"/></bsdf>");
+  EXPECT_EQ(bsdf.color("eta"), glm::dvec3(0.200, 0.924, 1.102));
+  EXPECT_EQ(bsdf.color("k"), glm::dvec3(1, 2, 3));
+  EXPECT_EQ(load("<bsdf type=\"conductor\"/>").color("eta"), glm::dvec3(0.143, 0.375, 1.442));
+}
+
 TEST_F(SceneBsdfs, ARoughConductorOfAMaterialGoesByItsIndices) {
   const Bsdf bsdf = load(named("roughconductor", "Cr"));
   EXPECT_STREQ(bsdf.row->name, "microfacet_conductor");
