@@ -17,6 +17,7 @@ LAVER_BSDF_TWIN(roughconductor);
 LAVER_BSDF_TWIN(conductor);
 LAVER_BSDF_TWIN(microfacetConductor);
 LAVER_BSDF_TWIN(disney);
+LAVER_BSDF_TWIN(null);
 }  // namespace reference
 #undef LAVER_BSDF_TWIN
 
@@ -162,6 +163,14 @@ const BsdfRow disney{
     .pdf = reference::disneyPdf,
     .sample = reference::disneySample};
 
+const BsdfRow null{.name = "null",
+                   .object = "Null",
+                   .delta = true,
+                   .transmissive = true,
+                   .eval = reference::nullEval,
+                   .pdf = reference::nullPdf,
+                   .sample = reference::nullSample};
+
 }  // namespace
 
 const BsdfRow diffuse{
@@ -176,9 +185,9 @@ const BsdfRow diffuse{
 
 const Rows<BsdfRow>& bsdfRows() {
   using namespace bsdfs;
-  static const Rows<BsdfRow> rows = {&diffuse,        &mirror,   &dielectric,
-                                     &microfacet,     &disney,   &microfacetConductor,
-                                     &roughconductor, &conductor};
+  static const Rows<BsdfRow> rows = {&diffuse,        &mirror,    &dielectric,
+                                     &microfacet,     &disney,    &microfacetConductor,
+                                     &roughconductor, &conductor, &null};
   return rows;
 }
 

@@ -113,7 +113,7 @@ double meanOf(const Image& image) {
 
 /// A ball under a white sky that absorbs nothing cannot be told from it.
 TEST(Furnace, ABallThatAbsorbsNothingUnderAWhiteSkyIsWhite) {
-  for (const char* name : {"diffuse", "mirror"}) {
+  for (const char* name : {"diffuse", "mirror", "null"}) {
     Scene scene = room(*rowCalled(integratorRows(), "path_mats"));
     scene.meshes = {ball({0.0, 0.0, 0.0}, 1.0, bsdfCalled(name))};
     if (const PropertyRow* color = albedoOf(bsdfCalled(name)))
