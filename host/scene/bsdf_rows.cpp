@@ -16,6 +16,7 @@ LAVER_BSDF_TWIN(microfacet);
 LAVER_BSDF_TWIN(roughconductor);
 LAVER_BSDF_TWIN(conductor);
 LAVER_BSDF_TWIN(microfacetConductor);
+LAVER_BSDF_TWIN(microfacetDielectric);
 LAVER_BSDF_TWIN(disney);
 LAVER_BSDF_TWIN(null);
 }  // namespace reference
@@ -143,6 +144,15 @@ const BsdfRow roughconductor{
     .pdf = reference::roughconductorPdf,
     .sample = reference::roughconductorSample};
 
+const BsdfRow microfacetDielectric{.name = "microfacet_dielectric",
+                                   .spellings = {"roughdielectric"},
+                                   .object = "MicrofacetDielectric",
+                                   .properties = {alpha(), interior(), exterior()},
+                                   .transmissive = true,
+                                   .eval = reference::microfacetDielectricEval,
+                                   .pdf = reference::microfacetDielectricPdf,
+                                   .sample = reference::microfacetDielectricSample};
+
 const BsdfRow disney{
     .name = "disney",
     .object = "Disney",
@@ -185,9 +195,9 @@ const BsdfRow diffuse{
 
 const Rows<BsdfRow>& bsdfRows() {
   using namespace bsdfs;
-  static const Rows<BsdfRow> rows = {&diffuse,        &mirror,    &dielectric,
-                                     &microfacet,     &disney,    &microfacetConductor,
-                                     &roughconductor, &conductor, &null};
+  static const Rows<BsdfRow> rows = {
+      &diffuse,        &mirror,    &dielectric, &microfacet,          &disney, &microfacetConductor,
+      &roughconductor, &conductor, &null,       &microfacetDielectric};
   return rows;
 }
 

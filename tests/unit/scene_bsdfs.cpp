@@ -67,5 +67,9 @@ TEST_F(SceneBsdfs, AnUnknownMaterialIsAnError) {
       "\"Cu\" or \"Cr\"");
 }
 
+TEST_F(SceneBsdfs, OtherNamesOfABsdf) {
+  EXPECT_STREQ(load("<bsdf type=\"roughdielectric\"/>").row->name, "microfacet_dielectric");
+}
+
 }  // namespace
 }  // namespace laver::test
