@@ -17,6 +17,7 @@ LAVER_BSDF_TWIN(roughconductor);
 LAVER_BSDF_TWIN(conductor);
 LAVER_BSDF_TWIN(microfacetConductor);
 LAVER_BSDF_TWIN(microfacetDielectric);
+LAVER_BSDF_TWIN(phong);
 LAVER_BSDF_TWIN(disney);
 LAVER_BSDF_TWIN(null);
 }  // namespace reference
@@ -153,6 +154,16 @@ const BsdfRow microfacetDielectric{.name = "microfacet_dielectric",
                                    .pdf = reference::microfacetDielectricPdf,
                                    .sample = reference::microfacetDielectricSample};
 
+const BsdfRow phong{
+    .name = "phong",
+    .object = "Phong",
+    .properties = {color("diffuseReflectance", glm::dvec3(1.0), "share of diffuse reflection"),
+                   color("specularReflectance", glm::dvec3(1.0), "share of the lobe"),
+                   real("shininess", 1.0, "exponent of the lobe", atLeast(0.0))},
+    .eval = reference::phongEval,
+    .pdf = reference::phongPdf,
+    .sample = reference::phongSample};
+
 const BsdfRow disney{
     .name = "disney",
     .object = "Disney",
@@ -195,9 +206,12 @@ const BsdfRow diffuse{
 
 const Rows<BsdfRow>& bsdfRows() {
   using namespace bsdfs;
-  static const Rows<BsdfRow> rows = {
-      &diffuse,        &mirror,    &dielectric, &microfacet,          &disney, &microfacetConductor,
-      &roughconductor, &conductor, &null,       &microfacetDielectric};
+  static const Rows<BsdfRow> rows = {&diffuse,        &mirror,
+                                     &dielectric,     &microfacet,
+                                     &disney,         &microfacetConductor,
+                                     &roughconductor, &conductor,
+                                     &null,           &microfacetDielectric,
+                                     &phong};
   return rows;
 }
 

@@ -56,6 +56,7 @@ std::vector<Values> variantsOf(const std::string& name) {
             {{"subsurface", 0.6}, {"sheen", 0.5}, {"sheenTint", 0.5}, {"roughness", 0.8}}};
   if (name == "roughconductor") return {{{"alpha", 0.4}}};
   if (name == "microfacet_dielectric") return {{{"alpha", 0.4}}, {{"intIOR", 0.8}, {"alpha", 0.2}}};
+  if (name == "phong") return {{{"shininess", 40.0}}};
   return {};
 }
 

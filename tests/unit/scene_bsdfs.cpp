@@ -41,6 +41,8 @@ TEST_F(SceneBsdfs, BadValuesAreErrors) {
             "f.xml:3:2: error: intIOR must be more than 0, found 1 0 1");
   EXPECT_EQ(errorOf("microfacet_conductor", "color", "intK", "1 -1 1"),
             "f.xml:3:2: error: intK must be at least 0, found 1 -1 1");
+  EXPECT_EQ(errorOf("phong", "float", "shininess", "-1"),
+            "f.xml:3:2: error: shininess must be at least 0, found -1");
 }
 
 TEST_F(SceneBsdfs, AMaterialsNameStandsForItsIndices) {
