@@ -14,6 +14,7 @@ LAVER_BSDF_TWIN(mirror);
 LAVER_BSDF_TWIN(dielectric);
 LAVER_BSDF_TWIN(microfacet);
 LAVER_BSDF_TWIN(roughconductor);
+LAVER_BSDF_TWIN(roughsubstrate);
 LAVER_BSDF_TWIN(conductor);
 LAVER_BSDF_TWIN(microfacetConductor);
 LAVER_BSDF_TWIN(microfacetDielectric);
@@ -113,6 +114,13 @@ const BsdfRow microfacet{.name = "microfacet",
                          .pdf = reference::microfacetPdf,
                          .sample = reference::microfacetSample};
 
+const BsdfRow roughsubstrate{.name = "roughsubstrate",
+                             .object = "RoughSubstrate",
+                             .properties = {alpha(), interior(), exterior(), diffuseShare()},
+                             .eval = reference::roughsubstrateEval,
+                             .pdf = reference::roughsubstratePdf,
+                             .sample = reference::roughsubstrateSample};
+
 const BsdfRow conductor{.name = "conductor",
                         .object = "Conductor",
                         .properties = {material("Au, Cu or Cr, for eta and k"),
@@ -211,7 +219,7 @@ const Rows<BsdfRow>& bsdfRows() {
                                      &disney,         &microfacetConductor,
                                      &roughconductor, &conductor,
                                      &null,           &microfacetDielectric,
-                                     &phong};
+                                     &phong,          &roughsubstrate};
   return rows;
 }
 

@@ -57,6 +57,7 @@ std::vector<Values> variantsOf(const std::string& name) {
   if (name == "roughconductor") return {{{"alpha", 0.4}}};
   if (name == "microfacet_dielectric") return {{{"alpha", 0.4}}, {{"intIOR", 0.8}, {"alpha", 0.2}}};
   if (name == "phong") return {{{"shininess", 40.0}}};
+  if (name == "roughsubstrate") return {{{"alpha", 0.4}}};
   return {};
 }
 
