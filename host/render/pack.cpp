@@ -175,9 +175,10 @@ glm::vec4 propertiesOf(const IntegratorUse& integrator, const Normalisation& spa
   int i = 0;
   for (const PropertyRow& property : integrator.row->properties) {
     const double value = integrator.real(property.name);
-    values[i++] = static_cast<float>(std::string_view(property.unit) == kSceneUnits
-                                         ? std::clamp(value * space.scale, 0x1p-100, 4.0)
-                                         : value);
+    values[i++] = static_cast<float>(
+        std::string_view(property.unit) == kSceneUnits
+            ? std::clamp(value * space.scale, 0x1p-100, static_cast<double>(shared::SCENE_REACH))
+            : value);
   }
   return values;
 }

@@ -29,8 +29,9 @@ void packCamera(const Camera& camera, Packed& packed) {
   p.columnY = vec3(dvec3(m[1]) * (kappa * pixel));
   p.columnZ = vec3(dvec3(m[2]) * kappa);
   const double scale = packed.space.scale / kappa;
-  // Far planes beyond 1e37 clip nothing, and times a direction they must stay finite.
-  const auto clip = [&](double z) { return static_cast<float>(std::clamp(z * scale, 0.0, 1e37)); };
+  const auto clip = [&](double z) {
+    return static_cast<float>(std::clamp(z * scale, 0.0, static_cast<double>(shared::FAR_AWAY)));
+  };
   p.tmin = clip(camera.nearClip);
   p.tmax = clip(camera.farClip);
   p.sceneUnits = static_cast<float>(1.0 / packed.space.scale);

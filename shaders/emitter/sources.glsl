@@ -3,9 +3,6 @@
 #include "trace/surface.glsl"
 #include "shared/direction.h"
 
-// Farther than any two points of the scene are apart.
-const float SOURCE_REACH = 4.0;
-
 vec3 emittedTowards(Surface s, vec3 direction) {
   if (!HAS_EMISSION || dotProduct(s.normal, direction) <= 0.0) return vec3(0.0);
   return texelVec3(texelFetch(emissionTexels, int(s.material)));
@@ -142,7 +139,7 @@ SourceSample sampleSources(Surface s, float number, vec2 numbers) {
     if (source.kind == SOURCE_BACKGROUND) {
       float density;
       arriving.direction = sampleBackground(numbers, density);
-      arriving.end = s.position + arriving.direction * SOURCE_REACH;
+      arriving.end = s.position + arriving.direction * SCENE_REACH;
       arriving.radiance = backgroundAt(arriving.direction) / density;
       arriving.density = density * source.probability;
     }

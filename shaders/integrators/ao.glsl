@@ -2,9 +2,6 @@
 // scene, else 0; 0 for a miss.
 #include "shared/direction.h"
 
-// Longer than any segment in the scene, which lies in [-1, 1]^3.
-const float SCENE_REACH = 4.0;
-
 void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
   Segments segments;
   FOR_RAYS (uint r = 0u; r < R; ++r) {

@@ -9,7 +9,6 @@
 // Light that only a discrete BSDF finds, and what the camera sees itself, has weight 1.
 #include "emitter/sources.glsl"
 
-const float FAR_AWAY = 1e37;  // packCamera()
 // Vertices before Russian roulette.
 const uint CERTAIN_BOUNCES = 3u;
 const float MAX_SURVIVAL = 0.99;

@@ -57,6 +57,11 @@ LAVER_CONST uint MAX_LEAF = 8;  // triangles
 
 LAVER_CONST uint NO_HIT = 0xffffffffu;
 
+// Larger than the distance between any two points of the scene, which lies in [-1, 1]^3.
+LAVER_CONST float SCENE_REACH = 4.0f;
+// tmax of rays without an end: times a direction it is finite.
+LAVER_CONST float FAR_AWAY = 1e37f;
+
 // One child of a node: its padded box and its reference. 2 texels.
 struct Child {
   vec3 lo;
