@@ -1,6 +1,7 @@
 // The intersection methods that a chart compares, and laver's own.
 #include <algorithm>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "lab/chart/methods/judge.h"
 #include "lab/chart/methods/methods.h"

@@ -1,5 +1,7 @@
 #include "lab/chart/methods/methods.h"
 
+#include <nlohmann/json.hpp>
+
 #include "core/error.h"
 #include "core/numeric.h"
 #include "lab/chart/methods/judge.h"
