@@ -12,6 +12,11 @@
 
 namespace laver::test {
 
+/// Seconds after which a run of laver is ended, so that no test waits without a bound. This ends
+/// what hangs and measures nothing: the longest run takes seconds, or some minutes under
+/// sanitizers.
+inline constexpr unsigned kLongestRun = 600;
+
 /// A running `laver ARGUMENTS` in a folder. It is killed if it still runs when the object is
 /// destroyed or the test's process ends.
 class Child {
@@ -33,6 +38,7 @@ class Child {
       return ::open(name, O_WRONLY | O_CREAT | O_TRUNC, 0600);
     };
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    ::alarm(kLongestRun);  // exec keeps it
     bool ready = ::chdir(place.c_str()) == 0;
     ready = ready && ::dup2(out ? *out : file("out.txt"), STDOUT_FILENO) >= 0;
     ready = ready && ::dup2(err ? *err : file("err.txt"), STDERR_FILENO) >= 0;

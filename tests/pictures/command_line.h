@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "pictures/child.h"
 #include "support/temporary_folder.h"
 #include "support/test_device.h"
 
@@ -28,7 +29,8 @@ class CommandLine : public testing::Test, protected TemporaryFolder {
   Outcome laver(const std::string& arguments, const std::string& variables = "",
                 const std::string& redirections = "") {
     const std::string command = "device='" + testDevice() + "'; cd " + folder_.string() + " && " +
-                                variables + " '" LAVER_BINARY "' " + arguments +
+                                variables + " timeout --foreground -s KILL " +
+                                std::to_string(kLongestRun) + " '" LAVER_BINARY "' " + arguments +
                                 " >out.txt 2>err.txt " + redirections;
     const int status = std::system(command.c_str());
     return {WEXITSTATUS(status), contents(folder_ / "out.txt"), contents(folder_ / "err.txt")};

@@ -77,10 +77,10 @@ class Writer {
       if (write(ends[1], "x", 1) == 1) pause();
       _exit(1);
     }
+    close(ends[1]);  // the read ends with the writer
     char c = 0;
     if (read(ends[0], &c, 1) != 1) ADD_FAILURE() << "the writer did not begin";
     close(ends[0]);
-    close(ends[1]);
   }
   ~Writer() { kill(); }
   Writer(const Writer&) = delete;

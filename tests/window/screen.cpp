@@ -3,6 +3,7 @@
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
+#include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -11,6 +12,12 @@
 #include <stdexcept>
 
 namespace laver::test {
+namespace {
+
+/// Bounds waiting only: Xvfb starts within a second.
+constexpr int kServerMilliseconds = 60000;
+
+}  // namespace
 
 struct Screen::Connection {
   Display* display;
@@ -49,7 +56,10 @@ Screen::Screen() {
   }
   ::close(ends[1]);
   std::string number;
-  for (char c = 0; ::read(ends[0], &c, 1) == 1 && c != '\n';) number += c;
+  pollfd ready{ends[0], POLLIN, 0};
+  for (char c = 0;
+       ::poll(&ready, 1, kServerMilliseconds) > 0 && ::read(ends[0], &c, 1) == 1 && c != '\n';)
+    number += c;
   ::close(ends[0]);
   if (number.empty()) throw std::runtime_error("Xvfb does not start; is the package xvfb there?");
   ::setenv("DISPLAY", (":" + number).c_str(), 1);
