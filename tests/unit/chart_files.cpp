@@ -64,7 +64,7 @@ TEST(ChartCsv, HasALineOfTheSameNumberOfFieldsPerPoint) {
   EXPECT_EQ(count, 4U);
 }
 
-const Series& find(const std::vector<Series>& all, const std::string& name) {
+const Series& find(const std::vector<Series>& all, const char* name) {
   return *std::find_if(all.begin(), all.end(), [&](const Series& s) { return s.name == name; });
 }
 
