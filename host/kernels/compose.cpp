@@ -48,7 +48,6 @@ void traceConstants(const TraceKey& key, Text& text) {
   text.flag("HAS_LIGHTS", key.lights);
   text.flag("MANY_LIGHTS", key.manyLights);
   text.flag("HAS_EMISSION", key.emission);
-  text.flag("HAS_SOURCES", key.sources);
   text.flag("HAS_BACKGROUND", key.background != "none");
   text.flag("HAS_BYTE_IMAGES", key.byteImages);
   text.flag("HAS_FLOAT_IMAGES", key.floatImages);

@@ -66,9 +66,8 @@ struct TraceKey {
   bool lights = false;           ///< point lights affect the result
   bool manyLights = false;       ///< the lights of a pass take several dispatches
   bool lockstep = false;         ///< the 8 lanes of a subgroup leave loops over bounces together
-  bool bounces = false;          ///< rays start on surfaces, too
+  bool bounces = false;          ///< rays may start on surfaces
   bool emission = false;         ///< some mesh emits light
-  bool sources = false;          ///< light sampling has sources to draw from
   bool byteImages = false,
        floatImages = false;                ///< formats of the images of textures and background
   bool adaptive = false;                   ///< sample counts vary by cell

@@ -21,7 +21,7 @@ double powerOf(const Environment& environment, double radius) {
   double radiance = luminance(environment.radiance);
   if (environment.image) radiance *= meanLuminance(*environment.image, environment.raw);
   if (environment.row == &emitters::distantdisk)
-    radiance *= 0.5 * (1.0 - std::cos(environment.angle * kPi / 180.0));
+    radiance *= std::pow(std::sin(environment.angle * kPi / 360.0), 2);
   return radiance * 4.0 * kPi * kPi * radius * radius;
 }
 

@@ -108,9 +108,10 @@ Surface World::surface(const WorldHit& hit) const {
 
 Surface World::surfaceOn(std::uint32_t id, glm::dvec2 numbers) const {
   const auto sphere =
-      std::find_if(spheres_.begin(), spheres_.end(),
-                   [&](const WorldSphere& candidate) { return candidate.id == id; });
-  if (sphere != spheres_.end()) return surface(WorldHit{0.0, {}, &*sphere, onSphere(numbers)});
+      std::lower_bound(spheres_.begin(), spheres_.end(), id,
+                       [](const WorldSphere& s, std::uint32_t wanted) { return s.id < wanted; });
+  if (sphere != spheres_.end() && sphere->id == id)
+    return surface(WorldHit{0.0, {}, &*sphere, onSphere(numbers)});
   const std::size_t index = meshOf(id);
   const Mesh& mesh = scene_->meshes[index];
   const glm::uvec3& t = mesh.triangles[id - first_[index]];

@@ -33,7 +33,7 @@ double areaOf(const shared::Triangle& t) {
 double radianceOf(const Environment& environment) {
   const double all = luminance(environment.radiance);
   if (environment.row == &emitters::distantdisk)
-    return all * 0.5 * (1.0 - std::cos(environment.angle * std::numbers::pi / 180.0));
+    return all * std::pow(std::sin(environment.angle * std::numbers::pi / 360.0), 2);
   return environment.image ? all * meanLuminance(*environment.image, environment.raw) : all;
 }
 

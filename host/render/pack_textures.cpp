@@ -54,7 +54,8 @@ void TexturePacker::packBackground(const Environment& environment) {
   if (environment.row == &emitters::distantdisk) {
     const glm::dvec3 axis = glm::dmat3(environment.toWorld) * glm::dvec3(0.0, 0.0, 1.0);
     p.backgroundZ = vec3(glm::normalize(axis));
-    p.backgroundCosine = static_cast<float>(std::cos(glm::radians(environment.angle)));
+    p.backgroundVersine =
+        static_cast<float>(2.0 * std::pow(std::sin(0.5 * glm::radians(environment.angle)), 2));
   }
   if (environment.image) p.backgroundImage = add(*environment.image, environment.raw, false);
 }

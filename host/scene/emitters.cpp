@@ -80,6 +80,7 @@ void buildEnvironment(const Properties& given, std::string_view parent, Draft& d
   environment.radiance = given.triple("radiance") * given.real("scale");
   environment.toWorld = given.transform("toWorld");
   environment.filename = given.text("filename");
+  if (!environment.filename.empty()) environment.row = &emitters::environment;
   environment.raw = given.boolean("raw") || draft.overrides.noriCompat;
   addEnvironment(given, parent, environment, draft);
 }
@@ -97,7 +98,6 @@ void buildEnvmap(const Properties& given, std::string_view parent, Draft& draft)
 
 void buildConstant(const Properties& given, std::string_view parent, Draft& draft) {
   Environment environment;
-  environment.row = &emitters::constant;
   environment.radiance = given.triple("radiance");
   addEnvironment(given, parent, environment, draft);
 }
@@ -204,7 +204,7 @@ const EmitterRow distantdisk{
                                .type = Float,
                                .start = Environment{}.angle,
                                .required = true,
-                               .range = fromTo(0.0, 180.0),
+                               .range = fromTo(1e-9, 180.0),
                                .unit = "degrees",
                                .meaning = "angular radius of the disk"},
                               {.name = "toWorld",

@@ -61,7 +61,7 @@ struct Environment {
   bool raw = false;
   double angle = 180.0;                    ///< degrees
   std::shared_ptr<const Picture> image{};  ///< null if the integrator does not use the background
-  const EmitterRow* row = &emitters::environment;
+  const EmitterRow* row = &emitters::constant;
 };
 
 }  // namespace laver

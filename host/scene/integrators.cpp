@@ -134,6 +134,7 @@ std::optional<IntegratorUse> userIntegrator(const std::string& file) {
   user->row.name = user->row.object = user->name.c_str();
   user->row.needs = {
       .normals = true, .materials = true, .lights = true, .background = true, .numbers = true};
+  user->row.needs.emitters = user->text.find("emitter/sources.glsl") != std::string::npos;
   IntegratorUse use{&user->row};
   use.user = std::move(user);
   return use;

@@ -3,8 +3,9 @@
 
 vec3 backgroundAt(vec3 direction) { return params.backgroundRadiance; }
 
-// A direction to the background, of unit length, and its density per solid angle.
-vec3 sampleBackground(vec2 numbers, out float density) {
+// A direction to the background, of unit length, its density per solid angle and its radiance.
+vec3 sampleBackground(vec2 numbers, out float density, out vec3 radiance) {
+  radiance = params.backgroundRadiance;
   density = 0.0795774715;  // 1 / 4 pi
   return sphereDirection(numbers);
 }

@@ -1,8 +1,10 @@
 // A disk of one radiance, infinitely far away: the directions within an angle of params.backgroundZ.
 #include "shared/direction.h"
 
+// By the squared chord between direction and axis, which is accurate for small disks, too.
 bool onDisk(vec3 direction) {
-  return dotProduct(params.backgroundZ, unitOr(direction, vec3(0.0))) >= params.backgroundCosine;
+  const vec3 chord = unitOr(direction, vec3(0.0)) - params.backgroundZ;
+  return params.backgroundVersine == 2.0 || dotProduct(chord, chord) <= 2.0 * params.backgroundVersine;
 }
 
 vec3 backgroundAt(vec3 direction) {
@@ -10,20 +12,22 @@ vec3 backgroundAt(vec3 direction) {
 }
 
 float backgroundDensity(vec3 direction) {
-  return onDisk(direction) ? 0.159154943 / (1.0 - params.backgroundCosine) : 0.0;  // 1 / 2 pi
+  return onDisk(direction) ? 0.159154943 / params.backgroundVersine : 0.0;  // 1 / 2 pi
 }
 
 // Uniform in the cap: 1 - cosine is. Tangents as Duff et al. have them, "Building an Orthonormal Basis,
 // Revisited", 2017.
-vec3 sampleBackground(vec2 numbers, out float density) {
+vec3 sampleBackground(vec2 numbers, out float density, out vec3 radiance) {
+  // Not backgroundAt(): rounding takes directions out of small disks.
+  radiance = params.backgroundRadiance;
   const vec3 n = params.backgroundZ;
   const float side = n.z < 0.0 ? -1.0 : 1.0;
   const float a = -1.0 / (side + n.z), b = n.x * n.y * a;
   const vec3 tangent = vec3(1.0 + side * n.x * n.x * a, side * b, -side * n.x);
   const vec3 bitangent = vec3(b, side + n.y * n.y * a, -n.y);
-  const float below = numbers.x * (1.0 - params.backgroundCosine);
+  const float below = numbers.x * params.backgroundVersine;
   const float radius = sqrt(below * (2.0 - below));
   const vec2 turn = cosSinOfTurn(numbers.y);
-  density = 0.159154943 / (1.0 - params.backgroundCosine);
+  density = 0.159154943 / params.backgroundVersine;
   return tangent * (turn.x * radius) + bitangent * (turn.y * radius) + n * (1.0 - below);
 }

@@ -14,9 +14,11 @@ vec3 backgroundAt(vec3 direction) {
 }
 
 // Uniform on the sphere.
-vec3 sampleBackground(vec2 numbers, out float density) {
+vec3 sampleBackground(vec2 numbers, out float density, out vec3 radiance) {
   density = 0.0795774715;  // 1 / 4 pi
-  return sphereDirection(numbers);
+  const vec3 direction = sphereDirection(numbers);
+  radiance = backgroundAt(direction);
+  return direction;
 }
 
 float backgroundDensity(vec3 direction) { return 0.0795774715; }

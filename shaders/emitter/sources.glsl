@@ -119,7 +119,8 @@ SourceSample sampleSources(Surface s, float number, vec2 numbers) {
   arriving.end = s.position;
   arriving.radiance = vec3(0.0);
   arriving.density = 0.0;
-  if (!HAS_SOURCES) return arriving;
+  // All sources may be black.
+  if (params.sources == 0u) return arriving;
   const Source source = drawSource(number);
   if (HAS_EMISSION) {
     if (source.kind == SOURCE_PRIMITIVE) arriving = samplePrimitive(s, source.index, numbers);
@@ -138,9 +139,9 @@ SourceSample sampleSources(Surface s, float number, vec2 numbers) {
   if (HAS_BACKGROUND) {
     if (source.kind == SOURCE_BACKGROUND) {
       float density;
-      arriving.direction = sampleBackground(numbers, density);
+      arriving.direction = sampleBackground(numbers, density, arriving.radiance);
       arriving.end = s.position + arriving.direction * SCENE_REACH;
-      arriving.radiance = backgroundAt(arriving.direction) / density;
+      arriving.radiance /= density;
       arriving.density = density * source.probability;
     }
   }

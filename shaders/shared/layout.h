@@ -202,7 +202,7 @@ struct Params {
   vec4
       filterTable[9];  // filter/table.glsl: 33 entries; filter/gaussian_narrow.glsl: exp(alpha k^2)
   vec3 backgroundX;    // rows of the rotation from world space to the background image's space
-  float backgroundCosine;  // distantdisk: of its angular radius
+  float backgroundVersine;  // distantdisk: 1 - cos of its angular radius
   vec3 backgroundY;
   float backgroundProbability;  // that light sampling draws the background
   vec3 backgroundZ;

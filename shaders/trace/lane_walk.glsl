@@ -105,9 +105,9 @@ uint closestLane(vec3 origin, vec3 direction, float tmin, float tmax, bool isAct
           depth = depthOn(chord, ray.first);
           e.inside = chord.hit;
           if (BOUNCES && ray.first == 0.0) {
-            const bool begins = outside(t.pa, t.b.x);
-            e.inside = chord.hit && (!begins || chord.middle > 0.0);
-            depth = greater(begins ? chord.near : chord.far, 0.0);
+            const bool startsOutside = outside(t.pa, t.b.x);
+            e.inside = chord.hit && (!startsOutside || chord.middle > 0.0);
+            depth = greater(startsOutside ? chord.near : chord.far, 0.0);
           }
         } else if (BOUNCES && ray.first == 0.0) {
           e.inside = e.inside && isAhead(ray, direction, t);

@@ -14,7 +14,7 @@ struct Surface {
   uint id;
 };
 
-// Where a ray that starts at tmin has met `slot`.
+// The surface at the hit of a ray, from `tmin` on, with the primitive in `slot`.
 Surface surfaceFrom(vec3 origin, vec3 direction, float tmin, uint slot) {
   const int texel = int(slot * 3u);
   const uvec4 first = texelFetch(triangleTexels, texel);

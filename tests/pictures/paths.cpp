@@ -1,5 +1,6 @@
 // Integrators whose rays bounce: the same paths as their twins in double precision, and furnaces.
 #include <cmath>
+#include <numbers>
 
 #include "pictures/harness.h"
 #include "reference/reference.h"
@@ -7,6 +8,8 @@
 
 namespace laver::test {
 namespace {
+
+constexpr double kPi = std::numbers::pi;
 
 Mesh quad(const std::array<glm::dvec3, 4>& corners, const glm::dvec3& albedo) {
   Mesh mesh;
@@ -16,7 +19,7 @@ Mesh quad(const std::array<glm::dvec3, 4>& corners, const glm::dvec3& albedo) {
   return mesh;
 }
 
-Mesh ball(const glm::dvec3& centre, double radius, const BsdfRow& bsdf) {
+Mesh sphere(const glm::dvec3& centre, double radius, const BsdfRow& bsdf) {
   Mesh mesh;
   mesh.sphere = Sphere{centre, radius};
   mesh.bsdf = {.row = &bsdf};
@@ -27,8 +30,8 @@ Mesh ball(const glm::dvec3& centre, double radius, const BsdfRow& bsdf) {
 
 const BsdfRow& bsdfCalled(const char* name) { return *rowCalled(bsdfRows(), name); }
 
-/// A room open to the front with a lamp, a mirror, a glass and a glowing ball, a point light and a
-/// background.
+/// A room open to the front with a lamp, a mirror, a glass and a glowing sphere, a point light and
+/// a background.
 Scene room(const IntegratorRow& integrator) {
   Scene scene;
   scene.integrator = {&integrator};
@@ -38,14 +41,13 @@ Scene room(const IntegratorRow& integrator) {
                   quad({{{-a, -a, -a}, {-a, a, -a}, {-a, a, a}, {-a, -a, a}}}, {0.7, 0.2, 0.2}),
                   quad({{{-0.3, 0.9, -0.3}, {0.3, 0.9, -0.3}, {0.3, 0.9, 0.3}, {-0.3, 0.9, 0.3}}},
                        {0.2, 0.2, 0.2}),
-                  ball({-0.4, -0.6, 0.3}, 0.4, bsdfCalled("mirror")),
-                  ball({0.4, -0.6, -0.2}, 0.38, bsdfCalled("dielectric")),
-                  ball({0.6, 0.3, 0.5}, 0.2, bsdfs::diffuse)};
+                  sphere({-0.4, -0.6, 0.3}, 0.4, bsdfCalled("mirror")),
+                  sphere({0.4, -0.6, -0.2}, 0.38, bsdfCalled("dielectric")),
+                  sphere({0.6, 0.3, 0.5}, 0.2, bsdfs::diffuse)};
   scene.meshes[3].light = AreaLight{{8.0, 7.0, 5.0}};
   scene.meshes[6].light = AreaLight{{0.5, 1.0, 2.0}};
   scene.lights = {{{-0.8, 0.5, -0.8}, {0.4, 0.2, 0.2}}};
   scene.environment = Environment{};
-  scene.environment->row = &emitters::constant;
   scene.environment->radiance = {0.1, 0.2, 0.3};
   scene.camera.toWorld[3] = glm::dvec4(0.0, 0.0, -3.5, 1.0);
   scene.camera.fov = 40.0;
@@ -60,6 +62,12 @@ std::vector<const IntegratorRow*> bouncing() {
   for (const IntegratorRow* row : integratorRows())
     if (row->bounces) rows.push_back(row);
   return rows;
+}
+
+double meanOf(const Image& image) {
+  double sum = 0.0;
+  for (const float value : image.pixels) sum += static_cast<double>(value);
+  return sum / static_cast<double>(image.pixels.size());
 }
 
 class Paths : public testing::TestWithParam<const IntegratorRow*> {};
@@ -90,37 +98,60 @@ TEST_P(Paths, HaveTheSameBitsByEveryTraversal) {
     EXPECT_EQ(render(scene, onTestDevice(traversal)).pixels, image.pixels) << traversal;
 }
 
+TEST_P(Paths, OfASceneWhoseLampsAreBlackAreBlack) {
+  Scene scene = room(*GetParam());
+  scene.lights.clear();
+  scene.environment.reset();
+  for (Mesh& mesh : scene.meshes) mesh.light.reset();
+  scene.meshes[3].light = AreaLight{glm::dvec3(0.0)};
+  EXPECT_EQ(meanOf(render(scene)), 0.0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Integrators, Paths, testing::ValuesIn(bouncing()),
                          [](const auto& row) { return std::string(row.param->name); });
 
-/// The room with a small ball of each BSDF instead of the large ones.
+/// The room with a small sphere of each BSDF instead of the large ones.
 TEST(PathsOfAllBsdfs, AreThoseOfTheTwin) {
   Scene scene = room(*rowCalled(integratorRows(), "path_mis"));
   scene.meshes.resize(4);
   int i = 0;
   for (const BsdfRow* row : bsdfRows()) {
-    scene.meshes.push_back(ball({0.45 * (i % 4) - 0.675, 0.45 * (i / 4) - 0.7, 0.2}, 0.2, *row));
+    scene.meshes.push_back(sphere({0.45 * (i % 4) - 0.675, 0.45 * (i / 4) - 0.7, 0.2}, 0.2, *row));
     ++i;
   }
   expectPathsOfTheTwin(scene);
 }
 
-double meanOf(const Image& image) {
-  double sum = 0.0;
-  for (const float value : image.pixels) sum += static_cast<double>(value);
-  return sum / static_cast<double>(image.pixels.size());
-}
-
-/// A ball under a white sky that absorbs nothing cannot be told from it.
-TEST(Furnace, ABallThatAbsorbsNothingUnderAWhiteSkyIsWhite) {
+/// A sphere under a white sky that absorbs nothing cannot be told from it.
+TEST(Furnace, ASphereThatAbsorbsNothingUnderAWhiteSkyIsWhite) {
   for (const char* name : {"diffuse", "mirror", "null"}) {
     Scene scene = room(*rowCalled(integratorRows(), "path_mats"));
-    scene.meshes = {ball({0.0, 0.0, 0.0}, 1.0, bsdfCalled(name))};
+    scene.meshes = {sphere({0.0, 0.0, 0.0}, 1.0, bsdfCalled(name))};
     if (const PropertyRow* color = albedoOf(bsdfCalled(name)))
       scene.meshes[0].bsdf.set(color->name, glm::dvec3(1.0));
     scene.lights.clear();
     scene.environment->radiance = glm::dvec3(1.0);
     for (const float value : render(scene).pixels) EXPECT_NEAR(value, 1.0F, 1e-5F) << name;
+  }
+}
+
+/// A disk of solid angle s and radiance 1 / s sends 1 to a white floor that faces it, of which the
+/// floor returns 1 / pi. Rounding of directions is no part of light sampling.
+TEST(DistantDisk, OfAnySizeSendsWhatItsSolidAngleSays) {
+  Scene scene = room(*rowCalled(integratorRows(), "direct_ems"));
+  scene.meshes.resize(1);
+  scene.meshes[0].bsdf.set("albedo", glm::dvec3(1.0));
+  scene.lights.clear();
+  scene.camera.toWorld = glm::dmat4(1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, -0.9, 0, 1);
+  scene.environment->row = &emitters::distantdisk;
+  scene.environment->toWorld = glm::dmat4(1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1);
+  for (const double angle : {1e-9, 1e-4, 0.27}) {
+    const double half = angle * kPi / 360.0;
+    const double solid = 4.0 * kPi * std::sin(half) * std::sin(half);
+    scene.environment->angle = angle;
+    scene.environment->radiance = glm::dvec3(1.0 / solid);
+    // 0.27 degrees: the mean cosine is 1 - 1.1e-5 / 2.
+    for (const float value : render(scene).pixels) EXPECT_NEAR(value, 1.0 / kPi, 1e-5) << angle;
   }
 }
 

@@ -112,6 +112,7 @@ TEST(Textures, AllKindsInOneScene) {
   scene.meshes.push_back(square(0.6, 0.2));
   scene.meshes.back().bsdf.show("albedo", Texture());
   scene.environment = Environment();
+  scene.environment->row = &emitters::environment;
   scene.environment->image = noise(8, 4, true);
   expectMatch(scene, kTolerance);
 }
@@ -143,6 +144,7 @@ TEST(Textures, KernelsSpecialisedOrNotGiveTheSameBits) {
     EXPECT_EQ(differingFloats(render(scene), render(scene, generic)), 0U);
     scene.meshes[0].bsdf.show("albedo", Texture());
     scene.environment = Environment();
+    scene.environment->row = &emitters::environment;
     scene.environment->image = noise(8, 4, floats);
     EXPECT_EQ(differingFloats(render(scene), render(scene, generic)), 0U);
   }
@@ -192,6 +194,7 @@ TEST(Backgrounds, ImagesAtTheSeamAndThePolesAndRotated) {
     const bool floats = ++number % 2 == 0, turned = number > 2;
     SCOPED_TRACE(testing::Message() << "case " << number);
     Scene scene = skyAlone(forward);
+    scene.environment->row = &emitters::environment;
     scene.environment->image = noise(16, 8, floats);
     // Far beyond the range of a float's square; rotated, mirrored and translated.
     if (turned)
@@ -215,6 +218,7 @@ TEST(Backgrounds, NormalsAndDepthDoNotShowThem) {
 TEST(Backgrounds, EverySampleOfTexturesAndBackgroundIsExplained) {
   Scene scene = sheet(showing(noise(64, 64, false)));
   scene.environment = Environment();
+  scene.environment->row = &emitters::environment;
   scene.environment->image = noise(64, 32, true);
   const laver::Explanation whole = laver::explain(scene, scene, onTestDevice());
   EXPECT_EQ(whole.unexplained(), 0U) << describe(whole);
@@ -243,6 +247,7 @@ TEST(TextureData, ImagesArePackedOnceAndBytesStayBytes) {
 TEST(TextureData, UnusedImagesAreNotUploaded) {
   Scene scene = sheet(showing(noise(8, 8, false)));
   scene.environment = Environment();
+  scene.environment->row = &emitters::environment;
   scene.environment->image = noise(8, 4, true);
   using Sizes = std::pair<std::size_t, std::size_t>;  // words of images, texture coordinates
   const auto packed = [&] {

@@ -85,6 +85,7 @@ TEST(ReferenceTexture, ACheckerFollowsTheParityOfBothAxes) {
 TEST(ReferenceTexture, ABackgroundRunsAroundYAndDownFromThePole) {
   // Columns begin at -z and continue over +x, +z and -x; two rows.
   Environment sky;
+  sky.row = &emitters::environment;
   sky.image = floats(4, 2, {1, 2, 3, 4, 10, 20, 30, 40});
   const auto at = [&](dvec3 d) { return sky.row->background(sky, d).x; };
   EXPECT_DOUBLE_EQ(at({1e-9, 1, -1e-9}), at({1, 1e9, -1}));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/error.h"
 #include "core/parallel.h"
 #include "lab/explain/samples.h"
 
@@ -49,6 +50,11 @@ std::uint64_t Explanation::unexplained() const {
 }
 
 Explanation explain(const Scene& scene, const Scene& judged, const VulkanOptions& vulkan) {
+  if (scene.integrator.row->bounces)
+    throw Error(ExitCode::Usage,
+                fmt::format("explain takes integrators whose rays end at the first hit or at what "
+                            "occludes it, found {}",
+                            scene.integrator.row->name));
   const SampleComparison comparison(scene, judged, vulkan);
   const auto width = static_cast<std::size_t>(comparison.width());
   std::vector<ComparedSample> samples(width * static_cast<std::size_t>(comparison.height()));

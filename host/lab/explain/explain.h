@@ -43,7 +43,8 @@ struct Explanation {
 
 /// Renders `scene` and compares it with the reference's render of `judged`, which has the same
 /// primitives in the same order; the two differ only in tests. The value is that of the scene's
-/// integrator, if it depends on more than the first hit. Throws Error(Device).
+/// integrator, if it depends on more than the first hit. Throws Error(Device); Error(Usage) for
+/// integrators that follow paths, whose later hits have no bound.
 Explanation explain(const Scene& scene, const Scene& judged, const VulkanOptions& vulkan);
 
 /// The report, several lines of text.

@@ -1,0 +1,94 @@
+// Kernels that leave nothing out for the scene: part by part, for tests and measurements.
+#include <algorithm>
+
+#include "render/choices.h"
+#include "render/materials.h"
+#include "scene/scene.h"
+
+namespace laver {
+
+const std::vector<std::string>& generalParts() {
+  static const std::vector<std::string> parts = {
+      "stack",       "normals",     "materials",   "bsdf records", "bsdfs",    "lights",
+      "many lights", "jump levels", "apron",       "strips",       "textures", "images",
+      "background",  "hits",        "index bytes", "spheres"};
+  return parts;
+}
+
+namespace {
+
+/// Any property may be a texture.
+MaterialLayout allTextured(MaterialLayout layout) {
+  layout.texturedColors = (1U << layout.colors) - 1;
+  layout.texturedNumbers = (1U << layout.numbers) - 1;
+  return layout;
+}
+
+/// Adds all BSDFs to those of `texts`, and to the layout what their records need.
+void addAllBsdfs(std::vector<BsdfText>& texts, MaterialLayout& layout) {
+  Scene scene;
+  for (const BsdfRow* row : bsdfRows()) {
+    scene.meshes.emplace_back();
+    scene.meshes.back().bsdf.row = row;
+  }
+  for (const BsdfText& text : bsdfsOf(scene))
+    if (std::none_of(texts.begin(), texts.end(),
+                     [&](const BsdfText& other) { return other.name == text.name; }))
+      texts.push_back(text);
+  std::sort(texts.begin(), texts.end(),
+            [](const BsdfText& a, const BsdfText& b) { return a.name < b.name; });
+  const MaterialLayout all = layoutOf(scene);
+  layout.colors = std::max(layout.colors, all.colors);
+  layout.numbers = std::max(layout.numbers, all.numbers);
+}
+
+void generaliseKey(TraceKey& key, const std::string& part, bool stream) {
+  if (part == "stack") key.stack = std::max(key.stack, kLikelyStack);
+  if (part == "normals") key.normals = true;
+  if (part == "materials") key.materials = true;
+  if (part == "bsdf records" || part == "bsdfs") key.bsdfRecords = true;
+  if (part == "bsdfs" && !key.bsdfs.empty()) addAllBsdfs(key.bsdfs, key.layout);
+  if (part == "lights" || part == "many lights") key.lights = true;
+  if (part == "many lights") key.manyLights = true;
+  if (part == "jump levels" && stream) key.jumpLevels = 3;
+  if (part == "textures" && !key.bsdfs.empty()) {
+    key.textures = allTextureNames();
+    key.layout = allTextured(key.layout);
+    key.bsdfRecords = true;
+  }
+  if (part == "images") key.byteImages = key.floatImages = true;
+  if (part == "background") key.background = "environment";
+  if (part == "hits") key.hits = true;
+  if (part == "spheres") key.spheres = true;
+}
+
+}  // namespace
+
+Choices generalised(Choices choices, const std::vector<std::string>& parts) {
+  Uploads& uploads = choices.uploads;
+  for (const std::string& part : parts) {
+    for (PictureChoice& picture : choices.pictures)
+      generaliseKey(picture.key, part, picture.key.jumpLevels != 0);
+    if (part == "normals") {
+      uploads.normals = uploads.attributes = true;
+      uploads.indexBytes = 4;
+    }
+    if (part == "materials") uploads.attributes = true;
+    if (part == "materials" || part == "bsdf records" || part == "bsdfs") uploads.materials = true;
+    if (part == "bsdfs") addAllBsdfs(uploads.bsdfs, uploads.layout);
+    if (part == "strips") choices.gather.strips = false;
+    if (part == "textures") {
+      uploads.textures = uploads.materials = true;
+      uploads.layout = allTextured(uploads.layout);
+      uploads.textureKinds = allTextureNames();
+    }
+    if (part == "jump levels" && uploads.jumpLevels != 0) uploads.jumpLevels = 3;
+    if (part == "hits") uploads.primitives = true;
+    if (part == "index bytes") uploads.indexBytes = 4;
+    // The widest filter that film/gather_strip.glsl supports.
+    if (part == "apron") choices.gather.apron = std::max(4U, choices.gather.apron);
+  }
+  return choices;
+}
+
+}  // namespace laver
