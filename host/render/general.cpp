@@ -7,11 +7,12 @@
 
 namespace laver {
 
+// Not the BSDFs: beside others, compilers may round one differently.
 const std::vector<std::string>& generalParts() {
   static const std::vector<std::string> parts = {
-      "stack",       "normals",     "materials",   "bsdf records", "bsdfs",    "lights",
-      "many lights", "jump levels", "apron",       "strips",       "textures", "images",
-      "background",  "hits",        "index bytes", "spheres"};
+      "stack",       "normals",     "materials", "bsdf records", "lights",
+      "many lights", "jump levels", "apron",     "strips",       "textures",
+      "images",      "background",  "hits",      "index bytes",  "spheres"};
   return parts;
 }
 
@@ -24,30 +25,11 @@ MaterialLayout allTextured(MaterialLayout layout) {
   return layout;
 }
 
-/// Adds all BSDFs to those of `texts`, and to the layout what their records need.
-void addAllBsdfs(std::vector<BsdfText>& texts, MaterialLayout& layout) {
-  Scene scene;
-  for (const BsdfRow* row : bsdfRows()) {
-    scene.meshes.emplace_back();
-    scene.meshes.back().bsdf.row = row;
-  }
-  for (const BsdfText& text : bsdfsOf(scene))
-    if (std::none_of(texts.begin(), texts.end(),
-                     [&](const BsdfText& other) { return other.name == text.name; }))
-      texts.push_back(text);
-  std::sort(texts.begin(), texts.end(),
-            [](const BsdfText& a, const BsdfText& b) { return a.name < b.name; });
-  const MaterialLayout all = layoutOf(scene);
-  layout.colors = std::max(layout.colors, all.colors);
-  layout.numbers = std::max(layout.numbers, all.numbers);
-}
-
 void generaliseKey(TraceKey& key, const std::string& part, bool stream) {
   if (part == "stack") key.stack = std::max(key.stack, kLikelyStack);
   if (part == "normals") key.normals = true;
   if (part == "materials") key.materials = true;
-  if (part == "bsdf records" || part == "bsdfs") key.bsdfRecords = true;
-  if (part == "bsdfs" && !key.bsdfs.empty()) addAllBsdfs(key.bsdfs, key.layout);
+  if (part == "bsdf records") key.bsdfRecords = true;
   if (part == "lights" || part == "many lights") key.lights = true;
   if (part == "many lights") key.manyLights = true;
   if (part == "jump levels" && stream) key.jumpLevels = 3;
@@ -74,8 +56,7 @@ Choices generalised(Choices choices, const std::vector<std::string>& parts) {
       uploads.indexBytes = 4;
     }
     if (part == "materials") uploads.attributes = true;
-    if (part == "materials" || part == "bsdf records" || part == "bsdfs") uploads.materials = true;
-    if (part == "bsdfs") addAllBsdfs(uploads.bsdfs, uploads.layout);
+    if (part == "materials" || part == "bsdf records") uploads.materials = true;
     if (part == "strips") choices.gather.strips = false;
     if (part == "textures") {
       uploads.textures = uploads.materials = true;

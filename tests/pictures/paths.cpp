@@ -122,6 +122,19 @@ TEST(PathsOfAllBsdfs, AreThoseOfTheTwin) {
   expectPathsOfTheTwin(scene);
 }
 
+TEST(AllBsdfs, HaveTheSameBitsByEveryTraversal) {
+  Scene scene = room(integrators::directWhitted);
+  scene.meshes.resize(3);
+  int i = 0;
+  for (const BsdfRow* row : bsdfRows()) {
+    scene.meshes.push_back(sphere({0.45 * (i % 4) - 0.675, 0.45 * (i / 4) - 0.7, 0.2}, 0.2, *row));
+    ++i;
+  }
+  const Image image = render(scene, onTestDevice("lane"));
+  for (const std::string& traversal : traversals())
+    EXPECT_EQ(render(scene, onTestDevice(traversal)).pixels, image.pixels) << traversal;
+}
+
 /// A sphere under a white sky that absorbs nothing cannot be told from it.
 TEST(Furnace, ASphereThatAbsorbsNothingUnderAWhiteSkyIsWhite) {
   for (const char* name : {"diffuse", "mirror", "null"}) {
