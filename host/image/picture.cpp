@@ -10,7 +10,6 @@
 #include <fstream>
 #include <iterator>
 #include <new>
-#include <numbers>
 #include <stdexcept>
 #include <system_error>
 
@@ -58,27 +57,6 @@ Image colours(const Image& given) {
 }
 
 }  // namespace
-
-double meanLuminance(const Picture& picture, bool raw) {
-  const auto* image = std::get_if<Image>(&picture);
-  const auto* bitmap = std::get_if<Bitmap>(&picture);
-  const auto width = static_cast<std::size_t>(widthOf(picture));
-  const auto height = static_cast<std::size_t>(heightOf(picture));
-  constexpr std::array<double, 3> kWeights = {0.2126, 0.7152, 0.0722};
-  double sum = 0.0, all = 0.0;
-  for (std::size_t i = 0; i < width * height; ++i) {
-    const double row = static_cast<double>(i / width) + 0.5;
-    const double solidAngle = std::sin(std::numbers::pi * row / static_cast<double>(height));
-    all += solidAngle;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double value = image != nullptr ? static_cast<double>(image->pixels[3 * i + c])
-                           : raw            ? bitmap->pixels[i][c] / 255.0
-                                            : linearOfSrgb(bitmap->pixels[i][c] / 255.0);
-      sum += solidAngle * kWeights[c] * value;
-    }
-  }
-  return sum / all;
-}
 
 int widthOf(const Picture& picture) {
   return std::visit([](const auto& p) { return p.width; }, picture);

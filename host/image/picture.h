@@ -16,9 +16,6 @@ using Picture = std::variant<Bitmap, Image>;
 int widthOf(const Picture& picture);
 int heightOf(const Picture& picture);
 
-/// Luminance of a picture of all directions in latitude and longitude, averaged over solid angle.
-double meanLuminance(const Picture& picture, bool raw);
-
 /// Linear value in [0, 1] of an encoded value in [0, 1], by the sRGB curve of IEC 61966-2-1.
 double linearOfSrgb(double encoded);
 

@@ -64,15 +64,22 @@ void shading(const TraceKey& key, Text& text) {
 }
 
 /// Defines each property of the integrator as `xml_NAME`: a constant if the key holds its value,
-/// else a component of params.properties.
+/// else one or three components of params.properties.
 void properties(const TraceKey& key, Text& text) {
-  const char* parameters[] = {"x", "y", "z", "w"};
-  for (std::size_t i = 0; i < key.properties.size(); ++i) {
-    const KernelProperty& p = key.properties[i];
-    if (p.value.empty())
-      text.line("#define xml_{} params.properties.{}", p.name, parameters[i]);
-    else
+  std::size_t used = 0;
+  const auto component = [&] {
+    const std::size_t i = used++;
+    return fmt::format("params.properties[{}][{}]", i / 4, i % 4);
+  };
+  for (const KernelProperty& p : key.properties) {
+    if (!p.value.empty()) {
       text.line("const {} xml_{} = {};", p.type, p.name, p.value);
+    } else if (p.type == "vec3") {
+      const std::string x = component(), y = component(), z = component();
+      text.line("#define xml_{} vec3({}, {}, {})", p.name, x, y, z);
+    } else {
+      text.line("#define xml_{} {}", p.name, component());
+    }
   }
 }
 

@@ -16,8 +16,8 @@ enum class Traversal {
 const char* traversalName(Traversal traversal);
 bool isPacket(Traversal traversal);
 
-/// A property of an integrator, `xml_NAME` in its GLSL. If `value` is empty, property i of the row
-/// is component i of params.properties.
+/// A property of an integrator, `xml_NAME` in its GLSL. If `value` is empty, it is the next one or,
+/// of a vec3, the next three components of params.properties.
 struct KernelProperty {
   std::string type, name, value;  ///< GLSL
 
@@ -28,7 +28,7 @@ struct KernelProperty {
 struct BsdfText {
   std::string name;
   std::vector<std::string> colors{}, numbers{};  ///< names, in the order of materials' records
-  std::string file{}, text{};  ///< of one of the user's own
+  std::string file{}, text{};                    ///< of one of the user's own
 
   bool operator==(const BsdfText&) const = default;
 };

@@ -26,6 +26,7 @@ std::vector<std::string> commonKernels() {
   for (const char* integrator : {"normals", "depth", "ao"}) {
     TraceKey key;
     key.integrator = integrator;
+    if (key.integrator == "ao") key.properties = {{"float", "length", ""}};
     key.jumpLevels = 2;
     key.traversal = Traversal::Packet32;
     texts.push_back(compose(key));

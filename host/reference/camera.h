@@ -2,6 +2,7 @@
 #include <glm/glm.hpp>
 
 #include "reference/ray.h"
+#include "reference/sampler.h"
 #include "scene/scene.h"
 
 namespace laver::reference {
@@ -12,7 +13,7 @@ struct CameraRay {
   double tmin, tmax;  ///< at the clipping planes, in units of the direction
 };
 
-/// A pinhole camera: converts film positions to rays.
+/// A camera: converts film positions to rays.
 class View {
  public:
   /// `centre` is the world position of the reference's origin.
@@ -21,8 +22,14 @@ class View {
   /// `film` is in pixels from the top left. The direction is toWorld times the unit direction in
   /// camera space, so t is not a distance if toWorld has a scale.
   CameraRay through(glm::dvec2 film) const;
+  /// The same through a point of the lens, if there is one, by the numbers of dimension 1.
+  CameraRay through(glm::dvec2 film, const Numbers& numbers) const;
 
  private:
+  glm::dvec3 local(glm::dvec2 film) const;  // z = 1
+  CameraRay ray(const glm::dvec3& origin, const glm::dvec3& local) const;
+
+  Camera camera_;
   glm::dvec3 origin_;
   glm::dmat3 toWorld_;
   glm::dvec2 size_;    // pixels

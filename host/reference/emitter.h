@@ -17,4 +17,11 @@ struct DirectionSample {
   double density;
 };
 
+/// The cell of an image's grid in which a direction lies, and the density per solid angle of
+/// directions that are drawn from it; otherwise cell 0.
+struct CellDensity {
+  std::size_t cell;
+  double density;
+};
+
 }  // namespace laver::reference

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "image/picture.h"
+#include "image/sky_grid.h"
 #include "reference/emitter.h"
 #include "reference/openness.h"
 
@@ -15,15 +15,6 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 double luminance(const glm::dvec3& rgb) { return 0.2126 * rgb.r + 0.7152 * rgb.g + 0.0722 * rgb.b; }
-
-/// Flux through a sphere of that radius.
-double powerOf(const Environment& environment, double radius) {
-  double radiance = luminance(environment.radiance);
-  if (environment.image) radiance *= meanLuminance(*environment.image, environment.raw);
-  if (environment.row == &emitters::distantdisk)
-    radiance *= std::pow(std::sin(environment.angle * kPi / 360.0), 2);
-  return radiance * 4.0 * kPi * kPi * radius * radius;
-}
 
 }  // namespace
 
@@ -36,17 +27,50 @@ LightSources::LightSources(const Scene& scene, const World& world)
     : scene_(&scene), world_(&world) {
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     add({Source::Kind::Point, i, 4.0 * kPi * luminance(scene.lights[i].radiance), 0.0});
-  if (scene.environment) {
-    backgroundPower_ = powerOf(*scene.environment, 0.25 * world.extent());
-    add({Source::Kind::Background, 0, backgroundPower_, 0.0});
-  }
+  if (scene.environment) addBackground();
   addPrimitives();
+  distribute();
 }
 
 void LightSources::add(const Source& source) {
   if (!(source.power > 0.0)) return;
   sources_.push_back(source);
-  sums_.push_back((sums_.empty() ? 0.0 : sums_.back()) + source.power);
+  power_ += source.power;
+}
+
+/// Its power is the flux through a sphere of half the diagonal of the scene.
+void LightSources::addBackground() {
+  const Environment& sky = *scene_->environment;
+  const double radius = 0.5 * world_->diagonal();
+  const double factor = luminance(sky.radiance) * kPi * radius * radius;
+  background_ = sources_.size();
+  if (sky.image) {
+    const SkyGrid grid = skyGrid(*sky.image, sky.raw);
+    grid_ = grid.size;
+    const double least = 1e-9 * *std::max_element(grid.power.begin(), grid.power.end());
+    for (std::size_t i = 0; i < grid.power.size(); ++i)
+      add({Source::Kind::Background, i, factor * std::max(grid.power[i], least), 0.0});
+  } else {
+    const double share =
+        sky.row == &emitters::distantdisk ? std::pow(std::sin(sky.angle * kPi / 360.0), 2) : 1.0;
+    add({Source::Kind::Background, 0, factor * share * 4.0 * kPi, 0.0});
+  }
+  cells_ = sources_.size() - background_;
+}
+
+void LightSources::distribute() {
+  const double steps = 8388608.0;
+  double power = 0.0, sum = 0.0;
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
+    power += sources_[i].power;
+    const auto after = static_cast<double>(sources_.size() - 1 - i);
+    const double least = sum + 1.0, most = steps - after;
+    const double next =
+        after == 0.0 ? steps : std::min(std::max(std::round(power / power_ * steps), least), most);
+    probabilities_.push_back((next - sum) / steps);
+    sum = next;
+    sums_.push_back(sum / steps);
+  }
 }
 
 void LightSources::addPrimitives() {
@@ -67,8 +91,9 @@ void LightSources::addPrimitives() {
   }
 }
 
-SourceSample LightSources::samplePrimitive(const Surface& surface, const Source& source,
+SourceSample LightSources::samplePrimitive(const Surface& surface, std::size_t number,
                                            glm::dvec2 point) const {
+  const Source& source = sources_[number];
   const Surface light = world_->surfaceOn(static_cast<std::uint32_t>(source.index), point);
   const glm::dvec3 away = light.position - surface.position;
   const double squared = glm::dot(away, away);
@@ -77,22 +102,23 @@ SourceSample LightSources::samplePrimitive(const Surface& surface, const Source&
   SourceSample sample{direction, offsetOrigin(light, -direction), glm::dvec3(0.0), 0.0};
   const glm::dvec3 radiance = emitted(light, -direction);
   if (squared == 0.0 || cosine == 0.0 || radiance == glm::dvec3(0.0)) return sample;
-  sample.density = squared / cosine / source.area * (source.power / sums_.back());
-  sample.radiance = radiance / sample.density;
+  const double perArea = squared / cosine / source.area;
+  sample.density = perArea * (source.power / power_);
+  sample.radiance = radiance / (perArea * probabilities_[number]);
   return sample;
 }
 
 SourceSample LightSources::sample(const Surface& surface, double number, glm::dvec2 point) const {
   if (sources_.empty()) return {surface.shading, surface.position, glm::dvec3(0.0), 0.0};
-  const auto found = std::upper_bound(sums_.begin(), sums_.end(), number * sums_.back());
-  const auto place = std::min<std::ptrdiff_t>(found - sums_.begin(),
-                                              static_cast<std::ptrdiff_t>(sums_.size()) - 1);
-  const Source& source = sources_[static_cast<std::size_t>(place)];
-  const double probability = source.power / sums_.back();
-  if (source.kind == Source::Kind::Primitive) return samplePrimitive(surface, source, point);
+  const auto found = std::upper_bound(sums_.begin(), sums_.end(), number);
+  const std::size_t place =
+      std::min(static_cast<std::size_t>(found - sums_.begin()), sums_.size() - 1);
+  const Source& source = sources_[place];
+  const double probability = probabilities_[place];
+  if (source.kind == Source::Kind::Primitive) return samplePrimitive(surface, place, point);
   if (source.kind == Source::Kind::Background) {
     const Environment& sky = *scene_->environment;
-    const DirectionSample drawn = sky.row->direction(sky, point);
+    const DirectionSample drawn = sky.row->direction(sky, grid_, source.index, point);
     const double density = drawn.density * probability;
     return {drawn.direction, surface.position + world_->extent() * drawn.direction,
             sky.row->background(sky, drawn.direction) / density, density};
@@ -110,14 +136,15 @@ double LightSources::density(const Surface& met, const glm::dvec3& origin,
   if (!met.mesh->light || sums_.empty()) return 0.0;
   const glm::dvec3 away = met.position - origin;
   const double cosine = std::abs(glm::dot(met.geometric, glm::normalize(direction)));
-  const double perArea = kPi * luminance(met.mesh->light->radiance) / sums_.back();
+  const double perArea = kPi * luminance(met.mesh->light->radiance) / power_;
   return cosine > 0.0 ? perArea * glm::dot(away, away) / cosine : 0.0;
 }
 
 double LightSources::backgroundDensity(const glm::dvec3& direction) const {
-  const auto& sky = scene_->environment;
-  if (!sky || !(backgroundPower_ > 0.0)) return 0.0;
-  return backgroundPower_ / sums_.back() * sky->row->density(*sky, direction);
+  if (cells_ == 0) return 0.0;
+  const Environment& sky = *scene_->environment;
+  const CellDensity found = sky.row->density(sky, grid_, direction);
+  return probabilities_[background_ + found.cell] * found.density;
 }
 
 }  // namespace laver::reference

@@ -16,7 +16,8 @@ struct SourceSample {
 };
 
 /// Light sampling: a source is drawn by its power from those of the scene, first the point lights,
-/// then the background, then the primitives of meshes that emit, in file order. The world must
+/// then the background, cell by cell of an image, then the primitives of meshes that emit, in file
+/// order. Probabilities are multiples of 2^-23, as the numbers that draw are. The world must
 /// outlive it.
 class LightSources {
  public:
@@ -36,15 +37,19 @@ class LightSources {
     double power, area;
   };
   void add(const Source& source);
+  void addBackground();
   void addPrimitives();
-  SourceSample samplePrimitive(const Surface& surface, const Source& source,
-                               glm::dvec2 point) const;
+  void distribute();
+  SourceSample samplePrimitive(const Surface& surface, std::size_t source, glm::dvec2 point) const;
 
   const Scene* scene_;
   const World* world_;
   std::vector<Source> sources_;
-  std::vector<double> sums_;  ///< of the powers
-  double backgroundPower_ = 0.0;
+  double power_ = 0.0;        ///< of all
+  std::vector<double> sums_;  ///< of the probabilities, multiples of 2^-23
+  std::vector<double> probabilities_;
+  glm::ivec2 grid_{1};                      ///< of the background's cells
+  std::size_t background_ = 0, cells_ = 0;  ///< its first source, and their number
 };
 
 /// Radiance that a mesh emits at a point of its surface.

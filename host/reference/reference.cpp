@@ -32,8 +32,8 @@ Reference::Reference(Reference&&) noexcept = default;
 Reference& Reference::operator=(Reference&&) noexcept = default;
 
 glm::dvec3 Reference::radiance(glm::dvec2 film, const reference::Numbers& numbers) const {
-  return reference::radiance(impl_->lit(), impl_->scene.integrator, impl_->view.through(film),
-                             numbers);
+  return reference::radiance(impl_->lit(), impl_->scene.integrator,
+                             impl_->view.through(film, numbers), numbers);
 }
 
 std::optional<Reference::Hit> Reference::closest(glm::dvec2 film) const {
@@ -112,7 +112,8 @@ Rendered Reference::render(const RenderOptions& options) const {
 Rendered Reference::picture(const IntegratorUse& integrator, const RenderOptions& options,
                             Place place, Observers& observers) const {
   const auto radianceAt = [&](glm::dvec2 film, const reference::Numbers& numbers) {
-    return reference::radiance(impl_->lit(), integrator, impl_->view.through(film), numbers);
+    return reference::radiance(impl_->lit(), integrator, impl_->view.through(film, numbers),
+                               numbers);
   };
   return reference::renderFilm(
       impl_->scene, options, {radianceAt, integrator.row->needs.negative, place.index, place.count},

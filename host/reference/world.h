@@ -43,6 +43,7 @@ class World {
   glm::dvec3 centre() const { return 0.5 * box_.lo + 0.5 * box_.hi; }
   /// The scene's point lights, relative to the centre.
   const std::vector<PointLight>& lights() const { return lights_; }
+  double diagonal() const { return glm::length(box_.hi - box_.lo); }
   /// Larger than the distance between any two points of the meshes.
   double extent() const { return 2.0 * glm::length(box_.hi - box_.lo); }
   /// The hit with the smallest t in [tmin, tmax]; of equal ones that with the smallest number.

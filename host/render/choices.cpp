@@ -112,7 +112,7 @@ TraceKey keyOf(const Scene& scene, const RenderOptions& options, const Integrato
   key.bounces = row.bounces || integrator.user;
   if (shades(row)) keyOfShading(scene, row, surfaces, key);
   for (const PropertyRow& property : row.properties)
-    key.properties.push_back({"float", property.name, ""});
+    key.properties.push_back({isTriple(property.type) ? "vec3" : "float", property.name, ""});
   if (integrator.user) {
     key.userFile = integrator.user->file;
     key.userText = integrator.user->text;
@@ -122,6 +122,7 @@ TraceKey keyOf(const Scene& scene, const RenderOptions& options, const Integrato
 }
 
 bool blackMiss(const Scene& scene, const IntegratorRow& row) {
+  if (scene.camera.row->lens) return false;
   return row.miss == Miss::Black || (row.miss == Miss::Background && !scene.environment);
 }
 
@@ -139,6 +140,7 @@ std::vector<PictureChoice> picturesOf(const Scene& scene, const RenderOptions& o
     add({&integrators::depth}, std::move(centres));
     PictureChoice& picture = pictures.back();
     picture.key.integrator = "centres";
+    picture.key.camera = cameras::perspective.name;
     picture.key.adaptive = false;
     picture.centres = true;
     picture.blackMiss = false;
@@ -199,7 +201,7 @@ Choices choose(const Scene& scene, const RenderOptions& options, const VulkanOpt
                const DeviceInfo& device) {
   Choices choices;
   TraversalChoice traversal = traversalOf(scene, device, vulkan.traversal);
-  if (scene.integrator.row->bounces)
+  if (scene.integrator.row->bounces || scene.camera.row->lens)
     traversal = {Traversal::Lane, "its rays share neither origin nor direction"};
   choices.traversal = traversal.traversal;
   choices.pictures = picturesOf(scene, options);

@@ -11,8 +11,8 @@ namespace laver {
 
 struct VulkanOptions;
 
-/// Entries of the traversal's stack. Sufficient for trees of tens of thousands to a million triangles
-/// (48 to 63 entries).
+/// Entries of the traversal's stack. Sufficient for trees of tens of thousands to a million
+/// triangles (48 to 63 entries).
 constexpr std::uint32_t kLikelyStack = 64;
 
 /// One decision of a render and its reason, as text.

@@ -64,7 +64,8 @@ void Frame::begin(const PictureChoice& picture) {
 
 shared::Params Frame::paramsOf(const IntegratorUse& integrator) const {
   shared::Params params = packed_.params;
-  params.properties = propertiesOf(integrator, packed_.space);
+  const auto properties = propertiesOf(integrator, packed_);
+  std::copy(properties.begin(), properties.end(), params.properties);
   return params;
 }
 

@@ -170,15 +170,27 @@ shared::Light lightData(const PointLight& light, const Normalisation& space) {
 
 }  // namespace
 
-glm::vec4 propertiesOf(const IntegratorUse& integrator, const Normalisation& space) {
-  glm::vec4 values(0.0F);
-  int i = 0;
+std::array<glm::vec4, 2> propertiesOf(const IntegratorUse& integrator, const Packed& packed) {
+  std::array<glm::vec4, 2> values{};
+  glm::length_t i = 0;
+  const auto add = [&](double value) {
+    values.at(static_cast<std::size_t>(i / 4))[i % 4] = static_cast<float>(value);
+    ++i;
+  };
+  const double scale = packed.space.scale;
   for (const PropertyRow& property : integrator.row->properties) {
-    const double value = integrator.real(property.name);
-    values[i++] = static_cast<float>(
-        std::string_view(property.unit) == kSceneUnits
-            ? std::clamp(value * space.scale, 0x1p-100, static_cast<double>(shared::SCENE_REACH))
-            : value);
+    const std::string_view unit = property.unit;
+    if (isTriple(property.type)) {
+      dvec3 triple = integrator.triple(property.name);
+      if (unit == kSceneUnits) triple = packed.space.apply(triple);
+      if (unit == kPowers) triple *= scale * scale;
+      for (int axis = 0; axis < 3; ++axis) add(triple[axis]);
+      continue;
+    }
+    double value = integrator.real(property.name);
+    if (unit == kDiagonals) value *= packed.diagonal;
+    const bool length = unit == kSceneUnits || unit == kDiagonals;
+    add(length ? std::clamp(value * scale, 0x1p-100, double{shared::SCENE_REACH}) : value);
   }
   return values;
 }
@@ -199,6 +211,10 @@ Bounds boundsOf(const Scene& scene) {
   return {lo, hi};
 }
 
+double diagonalOf(const Bounds& bounds) {
+  return bounds.lo.x > bounds.hi.x ? 0.0 : glm::length(bounds.hi - bounds.lo);
+}
+
 Normalisation normalisationOf(const Scene& scene) {
   const auto [lo, hi] = boundsOf(scene);
   if (lo.x > hi.x) return {};
@@ -215,6 +231,7 @@ Normalisation normalisationOf(const Scene& scene) {
 Packed pack(const Scene& scene, const RenderOptions& options, const Uploads& uploads) {
   Packed packed;
   packed.space = normalisationOf(scene);
+  packed.diagonal = diagonalOf(boundsOf(scene));
   TexturePacker textures(packed, uploads.textureKinds);
   MeshPacker meshes(scene, uploads, packed, textures);
   const auto triangles = meshes.pack();

@@ -34,6 +34,10 @@ void packCamera(const Camera& camera, Packed& packed) {
   };
   p.tmin = clip(camera.nearClip);
   p.tmax = clip(camera.farClip);
+  const double lens = camera.lensRadius * packed.space.scale / m[3].w;
+  p.lensX = vec3(dvec3(m[0]) * lens);
+  p.lensY = vec3(dvec3(m[1]) * lens);
+  p.lensToDirection = static_cast<float>(m[3].w / (scale * camera.focalDistance));
   p.sceneUnits = static_cast<float>(1.0 / packed.space.scale);
   p.filmSize = {static_cast<std::uint32_t>(camera.width),
                 static_cast<std::uint32_t>(camera.height)};

@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+
 #include "render/packed.h"
 
 // The parts of pack(). Each fills the members of `packed` that its name states.
@@ -16,9 +18,10 @@ void packSampler(const Scene& scene, std::uint32_t jumpLevels, Packed& packed);
 /// Only the seed.
 void packSeed(std::int64_t seed, shared::Params& params);
 
-/// The integrator's float properties, in the order of its row. Lengths are converted to normalised
-/// space, whose points are less than 4 apart, and clamped to [2^-100, 4].
-glm::vec4 propertiesOf(const IntegratorUse& integrator, const Normalisation& space);
+/// The integrator's properties, in the order of its row: a number is one component, a triple three.
+/// Points and lengths are converted to normalised space, whose points are less than 4 apart, and
+/// lengths clamped to [2^-100, 4].
+std::array<glm::vec4, 2> propertiesOf(const IntegratorUse& integrator, const Packed& packed);
 
 /// What meshes emit, and the light sources of light sampling; tree, space and lights must be there.
 void packSources(const Scene& scene, Packed& packed);

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/error.h"
-#include "image/picture.h"
+#include "image/sky_grid.h"
 #include "render/pack_parts.h"
 
 namespace laver {
@@ -29,18 +29,29 @@ double areaOf(const shared::Triangle& t) {
   return 0.5 * glm::length(glm::cross(dvec3(t.b) - dvec3(t.a), dvec3(t.c) - dvec3(t.a)));
 }
 
-/// Of all directions, in the mean.
-double radianceOf(const Environment& environment) {
+/// Luminance times solid angle of the background, cell by cell of an image.
+SkyGrid gridOf(const Environment& environment) {
   const double all = luminance(environment.radiance);
-  if (environment.row == &emitters::distantdisk)
-    return all * std::pow(std::sin(environment.angle * std::numbers::pi / 360.0), 2);
-  return environment.image ? all * meanLuminance(*environment.image, environment.raw) : all;
+  const double degrees = environment.row == &emitters::distantdisk ? environment.angle : 180.0;
+  const double versine = 2.0 * std::pow(std::sin(0.5 * glm::radians(degrees)), 2);
+  if (!environment.image) return {glm::ivec2(1), {all * 2.0 * std::numbers::pi * versine}};
+  SkyGrid grid = skyGrid(*environment.image, environment.raw);
+  double brightest = 0.0;
+  for (double& power : grid.power) brightest = std::max(brightest, power *= all);
+  // Each cell keeps its place in the list, as a source that is drawn.
+  for (double& power : grid.power) power = std::max(power, brightest * 1e-9);
+  return grid;
 }
 
-/// Flux through the sphere around the scene, of half its box's diagonal.
-double powerOf(const Environment& environment, const Bounds& bounds, double scale) {
-  const double radius = 0.5 * glm::length(bounds.hi - bounds.lo) * scale;
-  return radianceOf(environment) * 4.0 * std::numbers::pi * std::numbers::pi * radius * radius;
+/// The sources of the background. The power is the flux through a sphere around the scene, of half
+/// its box's diagonal.
+void addBackground(const Scene& scene, Packed& packed, std::vector<Weighed>& all) {
+  const SkyGrid grid = gridOf(*scene.environment);
+  const double radius = 0.5 * packed.diagonal * packed.space.scale;
+  packed.params.backgroundCells = glm::uvec2(grid.size);
+  for (std::uint32_t i = 0; i < grid.power.size(); ++i)
+    all.push_back({{shared::SOURCE_BACKGROUND, i, 0.0F, 0.0F},
+                   grid.power[i] * std::numbers::pi * radius * radius});
 }
 
 /// The mesh that each slot's primitive belongs to.
@@ -107,10 +118,7 @@ void packSources(const Scene& scene, Packed& packed) {
   for (std::uint32_t i = 0; i < packed.lights.size(); ++i)
     all.push_back({{shared::SOURCE_POINT, i, 0.0F, 0.0F},
                    4.0 * std::numbers::pi * luminance(dvec3(packed.lights[i].radiance))});
-  const std::size_t background = all.size();
-  if (scene.environment)
-    all.push_back({{shared::SOURCE_BACKGROUND, 0, 0.0F, 0.0F},
-                   powerOf(*scene.environment, boundsOf(scene), packed.space.scale)});
+  if (scene.environment) addBackground(scene, packed, all);
   for (const Weighed& primitive : primitives(scene, packed.bvh)) all.push_back(primitive);
 
   double total = 0.0;
@@ -121,16 +129,14 @@ void packSources(const Scene& scene, Packed& packed) {
     packed.emission.push_back({vec3(radiance), static_cast<float>(density)});
   }
   // Sources without power are never drawn.
-  std::vector<Weighed> powerful;
-  std::optional<std::size_t> sky;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (!(all[i].power > 0.0)) continue;
-    if (scene.environment && i == background) sky = powerful.size();
-    powerful.push_back(all[i]);
-  }
-  packed.sources = distributed(powerful, total);
+  std::erase_if(all, [](const Weighed& weighed) { return !(weighed.power > 0.0); });
+  packed.sources = distributed(all, total);
   packed.params.sources = static_cast<std::uint32_t>(packed.sources.size());
-  packed.params.backgroundProbability = sky ? packed.sources[*sky].probability : 0.0F;
+  const auto sky = std::find_if(
+      packed.sources.begin(), packed.sources.end(),
+      [](const shared::Source& source) { return source.kind == shared::SOURCE_BACKGROUND; });
+  packed.params.backgroundSource = static_cast<std::uint32_t>(sky - packed.sources.begin());
+  packed.params.backgroundProbability = sky == packed.sources.end() ? 0.0F : sky->probability;
 }
 
 }  // namespace laver

@@ -33,6 +33,7 @@ Bounds boundsOf(const Scene& scene);
 /// A scene in the memory layout of the kernels; empty arrays are not uploaded.
 struct Packed {
   Normalisation space;
+  double diagonal = 0.0;  ///< of the box of all primitives, in the scene's space
   Bvh bvh;
   std::vector<std::byte>
       attributes;  ///< shared::Attributes per triangle, in the order of the leaves

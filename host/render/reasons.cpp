@@ -223,7 +223,10 @@ Reason filter(const Facts& f) {
 
 Reason film(const Facts& f) {
   if (!f.choices.pictures.front().blackMiss)
-    return {"film", "all of it", "rays that hit nothing may not be black", "", 0};
+    return {"film", "all of it",
+            f.scene.camera.row->lens ? "a lens sees around edges"
+                                     : "rays that hit nothing may not be black",
+            "", 0};
   return {"film", "the part that the scene covers", "rays that hit nothing are black",
           "rays and sums elsewhere", 0};
 }

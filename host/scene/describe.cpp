@@ -49,11 +49,15 @@ std::string describeSampler(const Sampler& sampler) {
 
 std::string describeCamera(const Camera& camera, const Filter& filter) {
   const std::string key = "    cameraToWorld = ";
+  const std::string lens = camera.row->lens
+                               ? fmt::format("    lensRadius = {:f},\n    focalDistance = {:f},\n",
+                                             camera.lensRadius, camera.focalDistance)
+                               : "";
   return fmt::format(
       "{}[\n{}{},\n    outputSize = [{}, {}],\n    fov = {:f},\n"
-      "    clip = [{:f}, {:f}],\n    rfilter = {}\n  ]",
+      "    clip = [{:f}, {:f}],\n{}    rfilter = {}\n  ]",
       camera.row->object, key, rows(camera.toWorld, key.size()), camera.width, camera.height,
-      camera.fov, camera.nearClip, camera.farClip, describeFilter(filter));
+      camera.fov, camera.nearClip, camera.farClip, lens, describeFilter(filter));
 }
 
 std::string describeLight(const PointLight& light) {

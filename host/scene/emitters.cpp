@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <initializer_list>
 #include <numbers>
 
 #include "scene/properties.h"
@@ -15,12 +16,18 @@ LightSample point(const PointLight& light, const glm::dvec3& from);
 glm::dvec3 environment(const Environment& environment, const glm::dvec3& direction);
 glm::dvec3 constant(const Environment& environment, const glm::dvec3& direction);
 glm::dvec3 distantdisk(const Environment& environment, const glm::dvec3& direction);
-DirectionSample environmentDirection(const Environment& environment, glm::dvec2 numbers);
-DirectionSample constantDirection(const Environment& environment, glm::dvec2 numbers);
-DirectionSample distantdiskDirection(const Environment& environment, glm::dvec2 numbers);
-double environmentDensity(const Environment& environment, const glm::dvec3& direction);
-double constantDensity(const Environment& environment, const glm::dvec3& direction);
-double distantdiskDensity(const Environment& environment, const glm::dvec3& direction);
+DirectionSample environmentDirection(const Environment& environment, glm::ivec2 grid,
+                                     std::size_t cell, glm::dvec2 numbers);
+DirectionSample constantDirection(const Environment& environment, glm::ivec2 grid, std::size_t cell,
+                                  glm::dvec2 numbers);
+DirectionSample distantdiskDirection(const Environment& environment, glm::ivec2 grid,
+                                     std::size_t cell, glm::dvec2 numbers);
+CellDensity environmentDensity(const Environment& environment, glm::ivec2 grid,
+                               const glm::dvec3& direction);
+CellDensity constantDensity(const Environment& environment, glm::ivec2 grid,
+                            const glm::dvec3& direction);
+CellDensity distantdiskDensity(const Environment& environment, glm::ivec2 grid,
+                               const glm::dvec3& direction);
 }  // namespace reference
 
 namespace {
@@ -61,33 +68,75 @@ void buildArea(const Properties& given, std::string_view parent, Draft& draft) {
   }
 }
 
+/// In a mesh, an image takes the place of the mesh.
 void addEnvironment(const Properties& given, std::string_view parent,
                     const Environment& environment, Draft& draft) {
-  if (parent != "scene") {
+  if (parent == "mesh" && environment.row != &emitters::environment) {
     given.error("radiance",
-                fmt::format("{} is in <{}>, expected in <scene>", nameOf(given.rule()), parent));
-  } else if (draft.scene.environment) {
+                fmt::format("{} is in <mesh>, expected in <scene>", nameOf(given.rule())));
+    return;
+  }
+  if (draft.scene.environment) {
     given.error("radiance",
                 fmt::format("{} is a second background, expected one", nameOf(given.rule())));
-  } else {
-    draft.scene.environment = environment;
-    draft.environmentOffset = given.offset();
+    return;
   }
+  draft.scene.environment = environment;
+  draft.environmentOffset = given.offset();
+  if (parent != "mesh" || draft.meshes.empty()) return;
+  draft.meshes.back().isSky = true;
+  given.note(fmt::format("{} is in a mesh, which is not rendered: the background is infinitely far",
+                         nameOf(given.rule())));
+}
+
+/// From the picture's space (Environment) to that of the environment.
+glm::dmat4 orientationOf(Sky sky) {
+  switch (sky) {
+    case Sky::YUp:
+      break;
+    case Sky::YUpTurned:  // (-x, y, -z) of a direction is that of the picture
+      return {-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1};
+    case Sky::YUpReversed:  // (-z, -y, -x)
+      return {0, 0, -1, 0, 0, -1, 0, 0, -1, 0, 0, 0, 0, 0, 0, 1};
+    case Sky::ZUpReversed:  // (-y, z, -x)
+      return {0, -1, 0, 0, 0, 0, 1, 0, -1, 0, 0, 0, 0, 0, 0, 1};
+    case Sky::ZUp:  // (y, z, -x)
+      return {0, 1, 0, 0, 0, 0, 1, 0, -1, 0, 0, 0, 0, 0, 0, 1};
+  }
+  return glm::dmat4(1.0);
+}
+
+/// The first of these properties whose text is not empty, or nullptr.
+const char* firstText(const Properties& given, std::initializer_list<const char*> names) {
+  for (const char* name : names)
+    if (!given.text(name).empty()) return name;
+  return nullptr;
 }
 
 void buildEnvironment(const Properties& given, std::string_view parent, Draft& draft) {
+  const Dialect& dialect = *draft.overrides.dialect;
   Environment environment;
   environment.radiance = given.triple("radiance") * given.real("scale");
-  environment.toWorld = given.transform("toWorld");
-  environment.filename = given.text("filename");
+  const double radianceScale = given.real("radiance_scale"), strength = given.real("strength");
+  for (const double factor : {radianceScale, strength})
+    if (factor != 0.0) environment.radiance *= factor;
+  // Trees whose pictures lie otherwise have other names for some property.
+  Sky sky = dialect.sky;
+  if (radianceScale != 0.0) sky = Sky::ZUpReversed;
+  if (parent == "mesh" || strength != 0.0 || firstText(given, {"mapname", "path2map"}))
+    sky = Sky::ZUp;
+  environment.toWorld = given.transform("toWorld") * orientationOf(sky);
+  if (const char* name = firstText(given, {"filename", "mapname", "path2map"}))
+    environment.filename = given.text(name);
   if (!environment.filename.empty()) environment.row = &emitters::environment;
-  environment.raw = given.boolean("raw") || draft.overrides.noriCompat;
+  environment.raw = given.boolean("raw") || draft.overrides.noriCompat || dialect.encodedSky;
+  environment.encoded = dialect.encodedSky;
   addEnvironment(given, parent, environment, draft);
 }
 
-// Other dialects name the file differently, and a white default would be wrong.
+// Other trees name the file differently, and a white default would be wrong.
 void buildEnvmap(const Properties& given, std::string_view parent, Draft& draft) {
-  if (needsShading(draft) && !given.wasGiven(given.find("filename")) &&
+  if (needsShading(draft) && !firstText(given, {"filename", "mapname", "path2map"}) &&
       !given.wasGiven(given.find("radiance"))) {
     given.error("filename", fmt::format("{} needs <string name=\"filename\"> or <color "
                                         "name=\"radiance\">",
@@ -123,6 +172,16 @@ std::vector<PropertyRow> environmentProperties() {
            .meaning = "image by longitude and latitude; without one, a constant radiance"},
           backgroundRow("radiance, or factor of the image"),
           {.name = "scale", .type = Float, .start = 1.0, .meaning = "factor of the radiance"},
+          {.name = "mapname", .type = String, .meaning = "as filename; +z is up"},
+          {.name = "path2map", .type = String, .meaning = "as filename; +z is up"},
+          {.name = "radiance_scale",
+           .type = Float,
+           .start = 0.0,
+           .meaning = "factor of the radiance, and +z is up; 0: neither"},
+          {.name = "strength",
+           .type = Float,
+           .start = 0.0,
+           .meaning = "factor of the radiance, and +z is up; 0: neither"},
           {.name = "raw",
            .type = Boolean,
            .start = environment.raw,

@@ -16,6 +16,7 @@ struct Environment;
 namespace reference {
 struct LightSample;
 struct DirectionSample;
+struct CellDensity;
 }  // namespace reference
 
 /// A kind of emitter. Its kernel's part is shaders/emitter/NAME.glsl, its twin in double precision
@@ -27,10 +28,12 @@ struct EmitterRow {
   reference::LightSample (*sample)(const PointLight& light, const glm::dvec3& from) = nullptr;
   /// Background radiance in a direction of any length except 0.
   glm::dvec3 (*background)(const Environment& environment, const glm::dvec3& direction) = nullptr;
-  /// Draws a direction to the background, and its density per solid angle.
-  reference::DirectionSample (*direction)(const Environment& environment,
-                                          glm::dvec2 numbers) = nullptr;
-  double (*density)(const Environment& environment, const glm::dvec3& direction) = nullptr;
+  /// Draws a direction to the background from a cell of its grid (SkyGrid), and its density per
+  /// solid angle.
+  reference::DirectionSample (*direction)(const Environment& environment, glm::ivec2 grid,
+                                          std::size_t cell, glm::dvec2 numbers) = nullptr;
+  reference::CellDensity (*density)(const Environment& environment, glm::ivec2 grid,
+                                    const glm::dvec3& direction) = nullptr;
 };
 
 namespace emitters {
@@ -59,6 +62,7 @@ struct Environment {
   glm::dmat4 toWorld{1.0};   ///< only the linear part is used
   std::string filename{};    ///< empty: no image
   bool raw = false;
+  bool encoded = false;                    ///< values of an EXR image, too, are divided by 255
   double angle = 180.0;                    ///< degrees
   std::shared_ptr<const Picture> image{};  ///< null if the integrator does not use the background
   const EmitterRow* row = &emitters::constant;

@@ -17,6 +17,7 @@ glm::dvec3 ambientOcclusion(const CameraSample& sample);
 glm::dvec3 shadingNormal(const CameraSample& sample);
 glm::dvec3 albedo(const CameraSample& sample);
 glm::dvec3 geometricNormals(const CameraSample& sample);
+glm::dvec3 simple(const CameraSample& sample);
 glm::dvec3 whitted(const CameraSample& sample);
 glm::dvec3 direct(const CameraSample& sample);
 glm::dvec3 directEms(const CameraSample& sample);
@@ -25,6 +26,7 @@ glm::dvec3 directMis(const CameraSample& sample);
 glm::dvec3 pathEms(const CameraSample& sample);
 glm::dvec3 pathMats(const CameraSample& sample);
 glm::dvec3 pathMis(const CameraSample& sample);
+glm::dvec3 photonMapper(const CameraSample& sample);
 }  // namespace reference
 
 namespace integrators {
@@ -61,11 +63,19 @@ const IntegratorRow averageVisibility{
     .needs = {.normals = true, .numbers = true},
     .radiance = reference::averageVisibility};
 
-const IntegratorRow ambientOcclusion{.name = "ao",
-                                     .object = "AmbientOcclusionIntegrator",
-                                     .needs = {.normals = true, .numbers = true},
-                                     .miss = Miss::Black,
-                                     .radiance = reference::ambientOcclusion};
+const IntegratorRow ambientOcclusion{
+    .name = "ao",
+    .object = "AmbientOcclusionIntegrator",
+    .properties = {{.name = "length",
+                    .type = PropertyType::Float,
+                    .start = 4.0,
+                    .range = moreThan(0.0),
+                    .unit = kDiagonals,
+                    .meaning = "maximum distance of an occluder, endless from 1 on; 0.1 in the "
+                               "dialect nori1"}},
+    .needs = {.normals = true, .numbers = true},
+    .miss = Miss::Black,
+    .radiance = reference::ambientOcclusion};
 
 const IntegratorRow shadingNormal{.name = "shading_normal",
                                   .needs = {.normals = true, .negative = true},
@@ -81,6 +91,34 @@ static const IntegratorRow geometricNormals{.name = "geometric_normals",
                                             .object = "GeometricNormalIntegrator",
                                             .miss = Miss::Black,
                                             .radiance = reference::geometricNormals};
+
+static const IntegratorRow simple{
+    .name = "simple",
+    .object = "SimpleIntegrator",
+    .properties = {{.name = "position",
+                    .type = PropertyType::Point,
+                    .start = glm::dvec3(0.0, 100.0, 0.0),
+                    .required = true,
+                    .unit = kSceneUnits,
+                    .meaning = "of its only light; those of the scene are not used"},
+                   {.name = "energy",
+                    .type = PropertyType::Color,
+                    .start = glm::dvec3(3.76e4),
+                    .required = true,
+                    .unit = kPowers,
+                    .meaning = "of that light; every surface reflects energy / (4 pi^2) * cos / "
+                               "distance^2"}},
+    .needs = {.normals = true},
+    .miss = Miss::Black,
+    .looksOn = true,
+    .radiance = reference::simple};
+
+const PropertyRow kMaxDepth{.name = "max_depth",
+                            .type = PropertyType::Integer,
+                            .start = std::int64_t{0},
+                            .range = fromTo(0, std::numeric_limits<std::int32_t>::max()),
+                            .unit = "surfaces",
+                            .meaning = "that scatter, at most; 0: no maximum"};
 
 /// An integrator that follows paths, with light of all kinds.
 IntegratorRow pathRow(const char* name, const char* object, std::vector<const char*> spellings,
@@ -99,6 +137,11 @@ IntegratorRow pathRow(const char* name, const char* object, std::vector<const ch
           .radiance = radiance};
 }
 
+IntegratorRow endless(IntegratorRow row) {
+  row.properties = {kMaxDepth};
+  return row;
+}
+
 // All that follow paths to their end have one expectation; their names say how they sample.
 static const IntegratorRow whitted =
     pathRow("whitted", "WhittedIntegrator", {}, reference::whitted);
@@ -109,12 +152,28 @@ static const IntegratorRow directMats =
     pathRow("direct_mats", "DirectMatsIntegrator", {}, reference::directMats);
 static const IntegratorRow directMis =
     pathRow("direct_mis", "DirectMisIntegrator", {}, reference::directMis);
-static const IntegratorRow pathEms =
-    pathRow("path_ems", "PathEmsIntegrator", {"path_simple", "path_nee"}, reference::pathEms);
+static const IntegratorRow pathEms = endless(
+    pathRow("path_ems", "PathEmsIntegrator", {"path_simple", "path_nee"}, reference::pathEms));
 static const IntegratorRow pathMats =
-    pathRow("path_mats", "PathMatsIntegrator", {}, reference::pathMats);
-static const IntegratorRow pathMis =
-    pathRow("path_mis", "PathMisIntegrator", {"path", "mipath", "path_tracer"}, reference::pathMis);
+    endless(pathRow("path_mats", "PathMatsIntegrator", {}, reference::pathMats));
+static const IntegratorRow pathMis = endless(pathRow(
+    "path_mis", "PathMisIntegrator", {"path", "mipath", "path_tracer"}, reference::pathMis));
+static const IntegratorRow photonMapper = [] {
+  IntegratorRow row = pathRow("photonmapper", "PhotonMapper", {}, reference::photonMapper);
+  row.properties = {{.name = "photonCount",
+                     .type = PropertyType::Integer,
+                     .start = std::int64_t{1000000},
+                     .meaning = "not used: no photons are stored"},
+                    {.name = "photonRadius",
+                     .type = PropertyType::Float,
+                     .start = 0.0,
+                     .unit = kSceneUnits,
+                     .meaning = "not used: nothing is blurred"}};
+  row.note =
+      "rendered by paths as path_mis: a photon map has the same expectation, but blurs by "
+      "its photonRadius";
+  return row;
+}();
 
 }  // namespace integrators
 
@@ -142,11 +201,11 @@ std::optional<IntegratorUse> userIntegrator(const std::string& file) {
 
 const Rows<IntegratorRow>& integratorRows() {
   using namespace integrators;
-  static const Rows<IntegratorRow> rows = {&normals,           &directWhitted,    &depth,
-                                           &averageVisibility, &ambientOcclusion, &geometricNormals,
-                                           &whitted,           &direct,           &directEms,
-                                           &directMats,        &directMis,        &pathEms,
-                                           &pathMats,          &pathMis};
+  static const Rows<IntegratorRow> rows = {
+      &normals,          &directWhitted,    &depth,        &averageVisibility,
+      &ambientOcclusion, &geometricNormals, &whitted,      &direct,
+      &directEms,        &directMats,       &directMis,    &pathEms,
+      &pathMats,         &pathMis,          &photonMapper, &simple};
   return rows;
 }
 

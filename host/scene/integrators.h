@@ -42,8 +42,10 @@ struct IntegratorRow {
   std::vector<PropertyRow> properties{};
   Needs needs{};
   Miss miss = Miss::Unknown;
-  bool litOnly = false;  ///< surfaces are black in a scene without lights
-  bool bounces = false;  ///< its rays continue from surfaces, in directions that they do not share
+  bool litOnly = false;   ///< surfaces are black in a scene without lights
+  bool looksOn = false;   ///< depends on more than the first hit, though on no light or number
+  bool bounces = false;   ///< its rays continue from surfaces, in directions that they do not share
+  const char* note = "";  ///< a warning where a scene names it
   /// Radiance along a camera ray in double precision, including misses.
   glm::dvec3 (*radiance)(const reference::CameraSample& sample) = nullptr;
 };
@@ -65,8 +67,15 @@ struct IntegratorUse {
   Values values{};  ///< that differ from the row's defaults; all of a user's integrator
   std::shared_ptr<const UserIntegrator> user{};  ///< if the integrator is from a user's file
 
+  /// Of a Float or an Integer.
   double real(std::string_view property) const {
-    return std::get<double>(valueOf(row->properties, values, property));
+    const Value& value = valueOf(row->properties, values, property);
+    const auto* integer = std::get_if<std::int64_t>(&value);
+    return integer != nullptr ? static_cast<double>(*integer) : std::get<double>(value);
+  }
+  /// Of a Point or a Color.
+  glm::dvec3 triple(std::string_view property) const {
+    return std::get<glm::dvec3>(valueOf(row->properties, values, property));
   }
   void set(std::string_view property, Value value) { setValue(values, property, std::move(value)); }
   bool is(const IntegratorRow& other) const { return row == &other; }

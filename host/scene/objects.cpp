@@ -19,7 +19,13 @@ const Row& rowOf(const Properties& given, const Rows<Row>& rows) {
 }
 
 void buildIntegrator(const Properties& given, std::string_view, Draft& draft) {
-  takeIntegrator({&rowOf(given, integratorRows()), given.values()}, draft);
+  const IntegratorRow& row = rowOf(given, integratorRows());
+  IntegratorUse use{&row, given.values()};
+  const double length = draft.overrides.dialect->occlusionLength;
+  if (use.is(integrators::ambientOcclusion) && use.values.empty() && length > 0.0)
+    use.set("length", length);
+  if (*row.note != '\0') given.note(fmt::format("{} is {}", nameOf(given.rule()), row.note));
+  takeIntegrator(use, draft);
 }
 
 // Warns of long strata, which leave one axis nearly random.

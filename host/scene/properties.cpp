@@ -90,6 +90,8 @@ void Properties::error(std::string_view name, const std::string& message) const 
   diagnostics_.error(slot(name).offset, message);
 }
 
+void Properties::note(const std::string& message) const { diagnostics_.warning(offset_, message); }
+
 void Properties::warning(std::string_view name, const std::string& message) const {
   diagnostics_.warning(slot(name).offset, message);
 }

@@ -43,6 +43,8 @@ class Properties {
   /// Reports `message` at the property, or at the object if the property was not given.
   void error(std::string_view name, const std::string& message) const;
 
+  /// A warning about the object.
+  void note(const std::string& message) const;
   /// The same as a warning.
   void warning(std::string_view name, const std::string& message) const;
 

@@ -12,6 +12,11 @@ namespace laver {
 /// The property tags of a scene file.
 enum class PropertyType { String, Boolean, Float, Integer, Vector, Point, Color, Transform };
 
+/// Whether its values are three numbers.
+constexpr bool isTriple(PropertyType type) {
+  return type == PropertyType::Vector || type == PropertyType::Point || type == PropertyType::Color;
+}
+
 /// A property's value; vectors, points and colours are three numbers.
 using Value = std::variant<std::string, bool, double, std::int64_t, glm::dvec3, glm::dmat4>;
 
@@ -33,6 +38,10 @@ constexpr Range fromTo(double min, double max) { return {.min = min, .max = max,
 
 /// The unit of lengths in a scene.
 inline constexpr const char* kSceneUnits = "scene units";
+/// The unit of lengths that are fractions of the diagonal of the scene's bounding box.
+inline constexpr const char* kDiagonals = "diagonals of the scene";
+/// The unit of what falls with the squared distance in scene units.
+inline constexpr const char* kPowers = "W";
 
 /// A property that an object of a scene file takes.
 struct PropertyRow {
@@ -46,8 +55,8 @@ struct PropertyRow {
   bool pair = false;  ///< a Vector or a Point of two numbers; a third is ignored
 };
 
-/// The problem with a number or a colour, for messages: "fov must be more than 0 and less than 180 degrees,
-/// found 190"; empty if there is none.
+/// The problem with a number or a colour, for messages: "fov must be more than 0 and less than 180
+/// degrees, found 190"; empty if there is none.
 std::string problemOf(const PropertyRow& row, const Value& value);
 /// The range as text with its unit, for example "1 to 10 pixels"; empty if any number is valid.
 std::string rangeText(const PropertyRow& row);

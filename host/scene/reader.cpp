@@ -55,6 +55,7 @@ void Reader::readScene(pugi::xml_node root) {
   }
   auto& lights = draft_.scene.lights;
   lights.insert(lights.end(), draft_.meshLights.begin(), draft_.meshLights.end());
+  std::erase_if(draft_.meshes, [](const MeshDraft& mesh) { return mesh.isSky; });
   checkAreaLights();
   if (draft_.overrides.dialect->emittersAbsorb)
     for (MeshDraft& mesh : draft_.meshes)
@@ -171,7 +172,8 @@ bool Reader::checkPlace(pugi::xml_node node, const TagRule& rule, std::string_vi
     return false;
   }
   if (rule.many && (parent == "scene" || parents.empty())) return true;
-  const pugi::xml_node first = node.parent().child(rule.tag);
+  const pugi::xml_node first = node.parent().find_child(
+      [&](pugi::xml_node sibling) { return findTag(sibling.name()) == &rule; });
   if (first == node) return true;
   diagnostics_.error(at(node), fmt::format("a second <{}> in <{}>, expected one: the first is in "
                                            "line {}",
@@ -270,7 +272,7 @@ void Reader::readUnknownTag(pugi::xml_node node, std::string_view parent) {
 
 // Mitsuba's language has the same ancestor; its tags would all be unknown ones.
 void Reader::checkDialect(pugi::xml_node root) {
-  for (const char* tag : {"sensor", "shape", "default", "include"})
+  for (const char* tag : {"sensor", "default", "include"})
     if (root.child(tag)) {
       diagnostics_.error(at(root), fmt::format("this looks like a scene of Mitsuba, as it holds "
                                                "<{}>: expected one of Nori",

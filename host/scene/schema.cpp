@@ -12,9 +12,9 @@ constexpr std::array kTags = {
     TagRule{"camera", Need::Always, "scene ", false},
     TagRule{"sampler", Need::Always, "scene ", false},
     TagRule{"rfilter", Need::Always, "camera ", false},
-    TagRule{"mesh", Need::Always, "scene ", true},
+    TagRule{"mesh", Need::Always, "scene ", true, "shape"},
     TagRule{"bsdf", Need::Shading, "mesh ", false},
-    TagRule{"emitter", Need::Shading, "scene mesh ", true},
+    TagRule{"emitter", Need::Shading, "scene mesh ", true, "luminaire"},
     TagRule{"texture", Need::Shading, "", true},
     TagRule{"medium", Need::Never, "", true},
     TagRule{"phase", Need::Never, "", true},
@@ -48,8 +48,9 @@ const OperationRule* findOperation(std::string_view tag) {
 }
 
 const TagRule* findTag(std::string_view tag) {
-  const auto rule = std::find_if(kTags.begin(), kTags.end(),
-                                 [&](const TagRule& candidate) { return candidate.tag == tag; });
+  const auto rule = std::find_if(kTags.begin(), kTags.end(), [&](const TagRule& candidate) {
+    return candidate.tag == tag || (!tag.empty() && candidate.spelling == tag);
+  });
   return rule == kTags.end() ? nullptr : &*rule;
 }
 

@@ -25,6 +25,7 @@ struct MeshDraft {
   std::optional<Sphere> sphere;                       ///< then there is no file
   std::optional<AreaLight> light{};
   std::size_t lightOffset = 0;  ///< of the emitter's tag
+  bool isSky = false;           ///< a background takes its place
 };
 
 /// A scene that is being read.
@@ -68,8 +69,9 @@ enum class Need {
 struct TagRule {
   const char* tag;
   Need need;
-  const char* parents;  ///< tags, each followed by a space; empty: any
-  bool many;            ///< a scene may have several; another parent at most one
+  const char* parents;        ///< tags, each followed by a space; empty: any
+  bool many;                  ///< a scene may have several; another parent at most one
+  const char* spelling = "";  ///< another name of the tag
 };
 
 std::span<const ObjectRule> objectRules();

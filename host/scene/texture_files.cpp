@@ -84,6 +84,9 @@ void loadTextures(const TextSource& source, Draft& draft, Diagnostics& diagnosti
                                       draft.scene.integrator.row->name));
   }
   files.read();
+  if (auto& sky = draft.scene.environment;
+      sky && sky->encoded && sky->image && sky->filename.ends_with(".exr"))
+    sky->radiance /= 255.0;
 }
 
 void warnOfMissingUvs(const Draft& draft, Diagnostics& diagnostics) {

@@ -1,9 +1,8 @@
-// A pinhole camera: the direction through a film position given in pixels.
-#include "resources.glsl"
+// A pinhole camera: the origin of all rays, and the direction through a film position given in pixels.
+#include "camera/pinhole.glsl"
 
-vec3 cameraDirection(vec2 film) {
-  precise float x = float(params.filmSize.x) - 2.0 * film.x;
-  precise float y = float(params.filmSize.y) - 2.0 * film.y;
-  precise vec3 d = params.columnX * x + params.columnY * y + params.columnZ;
-  return d;
-}
+const bool HAS_LENS = false;
+
+vec3 cameraOrigin(vec2 numbers) { return params.origin; }
+
+vec3 cameraDirection(vec2 film, vec2 numbers) { return pinholeDirection(film); }

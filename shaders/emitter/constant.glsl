@@ -3,11 +3,12 @@
 
 vec3 backgroundAt(vec3 direction) { return params.backgroundRadiance; }
 
-// A direction to the background, of unit length, its density per solid angle and its radiance.
-vec3 sampleBackground(vec2 numbers, out float density, out vec3 radiance) {
+// Light sampling: a direction to the background, of unit length, its density per solid angle and its radiance.
+vec3 sampleBackground(Source source, vec2 numbers, out float density, out vec3 radiance) {
   radiance = params.backgroundRadiance;
-  density = 0.0795774715;  // 1 / 4 pi
+  density = 0.0795774715 * source.probability;  // 1 / 4 pi
   return sphereDirection(numbers);
 }
 
-float backgroundDensity(vec3 direction) { return 0.0795774715; }
+// The density with which light sampling draws a direction to the background.
+float backgroundDensity(vec3 direction) { return 0.0795774715 * params.backgroundProbability; }

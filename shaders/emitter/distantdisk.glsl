@@ -12,12 +12,12 @@ vec3 backgroundAt(vec3 direction) {
 }
 
 float backgroundDensity(vec3 direction) {
-  return onDisk(direction) ? 0.159154943 / params.backgroundVersine : 0.0;  // 1 / 2 pi
+  return onDisk(direction) ? 0.159154943 / params.backgroundVersine * params.backgroundProbability : 0.0;  // 1 / 2 pi
 }
 
 // Uniform in the cap: 1 - cosine is. Tangents as Duff et al. have them, "Building an Orthonormal Basis,
 // Revisited", 2017.
-vec3 sampleBackground(vec2 numbers, out float density, out vec3 radiance) {
+vec3 sampleBackground(Source source, vec2 numbers, out float density, out vec3 radiance) {
   // Not backgroundAt(): rounding takes directions out of small disks.
   radiance = params.backgroundRadiance;
   const vec3 n = params.backgroundZ;
@@ -28,6 +28,6 @@ vec3 sampleBackground(vec2 numbers, out float density, out vec3 radiance) {
   const float below = numbers.x * params.backgroundVersine;
   const float radius = sqrt(below * (2.0 - below));
   const vec2 turn = cosSinOfTurn(numbers.y);
-  density = 0.159154943 / params.backgroundVersine;
+  density = 0.159154943 / params.backgroundVersine * source.probability;
   return tangent * (turn.x * radius) + bitangent * (turn.y * radius) + n * (1.0 - below);
 }

@@ -123,7 +123,10 @@ SourceSample sampleSources(Surface s, float number, vec2 numbers) {
   if (params.sources == 0u) return arriving;
   const Source source = drawSource(number);
   if (HAS_EMISSION) {
-    if (source.kind == SOURCE_PRIMITIVE) arriving = samplePrimitive(s, source.index, numbers);
+    if (source.kind == SOURCE_PRIMITIVE) {
+      arriving = samplePrimitive(s, source.index, numbers);
+      arriving.radiance /= source.probability;
+    }
   }
   if (HAS_LIGHTS) {
     if (source.kind == SOURCE_POINT) {
@@ -134,17 +137,16 @@ SourceSample sampleSources(Surface s, float number, vec2 numbers) {
       arriving.end = light.position;
       // As sampleLight() has it.
       arriving.radiance = squared > 7.8886091e-31 ? light.radiance / squared : vec3(0.0);
+      arriving.radiance /= source.probability;
     }
   }
   if (HAS_BACKGROUND) {
     if (source.kind == SOURCE_BACKGROUND) {
-      float density;
-      arriving.direction = sampleBackground(numbers, density, arriving.radiance);
+      arriving.direction = sampleBackground(source, numbers, arriving.density, arriving.radiance);
       arriving.end = s.position + arriving.direction * SCENE_REACH;
-      arriving.radiance /= density;
-      arriving.density = density * source.probability;
+      arriving.radiance =
+          arriving.density > 0.0 ? arriving.radiance / arriving.density : vec3(0.0);
     }
   }
-  arriving.radiance /= source.probability;
   return arriving;
 }

@@ -1,5 +1,5 @@
-// Ambient occlusion: 1 if the ray in a cosine-distributed direction around the shading normal leaves the
-// scene, else 0; 0 for a miss.
+// Ambient occlusion: 1 if no surface lies within `length` along a cosine-distributed direction around the
+// shading normal, else 0; 0 for a miss.
 #include "shared/direction.h"
 
 void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
@@ -7,7 +7,7 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
   FOR_RAYS (uint r = 0u; r < R; ++r) {
     const bool hit = hits.slot[r] != NO_HIT;
     const Surface s = surfaceAt(rays.origin[r], rays.direction[r], hit ? hits.slot[r] : 0u);
-    segments.direction[r] = cosineDirection(s.normal, randomPair(r, 1u)) * SCENE_REACH;
+    segments.direction[r] = cosineDirection(s.normal, randomPair(r, HAS_LENS ? 2u : 1u)) * xml_length;
     segments.from[r] = offsetOrigin(s, segments.direction[r]);
     segments.isActive[r] = hit;
   }

@@ -7,7 +7,7 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
   FOR_RAYS (uint r = 0u; r < R; ++r) {
     const bool hit = hits.slot[r] != NO_HIT;
     const Surface s = surfaceAt(rays.origin[r], rays.direction[r], hit ? hits.slot[r] : 0u);
-    segments.direction[r] = uniformDirection(s.normal, randomPair(r, 1u)) * xml_length;
+    segments.direction[r] = uniformDirection(s.normal, randomPair(r, HAS_LENS ? 2u : 1u)) * xml_length;
     segments.from[r] = offsetOrigin(s, segments.direction[r]);
     segments.isActive[r] = hit;
   }

@@ -54,7 +54,7 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
       if (HAS_BACKGROUND) {
         if (rays.isActive[r] && !hit && counts[r])
           radiance[r] += throughput[r] * backgroundAt(direction) *
-                         foundWeight(density[r], params.backgroundProbability * backgroundDensity(direction));
+                         foundWeight(density[r], backgroundDensity(direction));
       }
       const Surface s = surfaceFrom(rays.origin[r], direction, rays.tmin[r], hit ? hits.slot[r] : 0u);
       const Material m = materialOf(s);

@@ -1,7 +1,7 @@
-// Light transport without a maximum of bounces, by light sampling.
+// Light transport up to `max_depth` surfaces, without a maximum by default, by light sampling.
 const bool SAMPLES_SOURCES = true;
 const bool SAMPLES_BSDF = false;
 const bool SHOWS_EMISSION = true;
-const uint MAX_BOUNCES = 0u;
+#define MAX_BOUNCES uint(xml_max_depth)
 const bool ONLY_DISCRETE = false;
 #include "integrators/path.glsl"

@@ -1,7 +1,7 @@
-// Light transport without a maximum of bounces, by sampling the BSDF: point lights are not found.
+// Light transport up to `max_depth` surfaces, without a maximum by default, by sampling the BSDF: point lights are not found.
 const bool SAMPLES_SOURCES = false;
 const bool SAMPLES_BSDF = true;
 const bool SHOWS_EMISSION = true;
-const uint MAX_BOUNCES = 0u;
+#define MAX_BOUNCES uint(xml_max_depth)
 const bool ONLY_DISCRETE = false;
 #include "integrators/path.glsl"

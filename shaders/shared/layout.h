@@ -135,7 +135,7 @@ struct Emission {
 
 // A light source of light sampling, which draws one of all. 1 texel.
 LAVER_CONST uint SOURCE_POINT = 0;  // `index`: of its Light
-LAVER_CONST uint SOURCE_BACKGROUND = 1;
+LAVER_CONST uint SOURCE_BACKGROUND = 1;  // `index`: of the image's cell
 LAVER_CONST uint SOURCE_PRIMITIVE = 2;  // `index`: its slot
 struct Source {
   uint kind;
@@ -196,7 +196,12 @@ struct Params {
   // independent: first texel of the tables by sample (low, high part), samples of the low part;
   // stratified: strata along y, size of a stratum along x and y in 2^-32 pixels
   uvec4 samplerArguments;
-  vec4 properties;  // of the integrator, in the order of its table row; lengths in normalised space
+  // Of the integrator, in the order of its table row, without gaps; lengths in normalised space.
+  vec4 properties[2];
+  vec3 lensX;             // thinlens: the lens's half axes in normalised space
+  float lensToDirection;  // factor of a point of the lens in a ray's direction
+  vec3 lensY;
+  float pad4;
   vec2 filterShape;  // meaning: see filter/NAME.glsl
   vec2 pad;
   vec4
@@ -208,7 +213,9 @@ struct Params {
   vec3 backgroundZ;
   uint sources;  // light sources of light sampling
   vec3 backgroundRadiance;
-  float pad3;
+  uint backgroundSource;   // the first source of the background
+  uvec2 backgroundCells;   // columns and rows of the image's grid for light sampling
+  vec2 pad3;
   ImageRef backgroundImage;
 };
 
@@ -256,7 +263,7 @@ static_assert(sizeof(Texture) == 64 && offsetof(Texture, image) == 48);
 static_assert(sizeof(Light) == 32 && offsetof(Light, radiance) == 16);
 static_assert(sizeof(Jump) == 16 && sizeof(Emission) == 16 && sizeof(Source) == 16);
 static_assert(sizeof(Count) == 16 && sizeof(Work) == 16);
-static_assert(sizeof(Params) == 384 && offsetof(Params, filmSize) == 80);
+static_assert(sizeof(Params) == 448 && offsetof(Params, filmSize) == 80);
 static_assert(sizeof(Pass) == 96);
 static_assert(sizeof(FilmPixel) == 32);
 static_assert(sizeof(Status) == 8);

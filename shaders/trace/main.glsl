@@ -26,8 +26,9 @@ void main() {
     const uvec2 pixel = pass.region.xy + place.xy;
     const vec2 film = CENTRES ? vec2(pixel) + 0.5 : filmPosition(pixel, pass.firstSample + place.z);
     inside[r] = insidePixel(film, pixel);
-    rays.origin[r] = params.origin;
-    rays.direction[r] = cameraDirection(film);
+    const vec2 aperture = HAS_LENS ? randomPair(r, 1u) : vec2(0.0);
+    rays.origin[r] = cameraOrigin(aperture);
+    rays.direction[r] = cameraDirection(film, aperture);
     rays.tmin[r] = params.tmin;
     rays.tmax[r] = params.tmax;
     radiance[r] = vec3(0.0);
@@ -35,7 +36,9 @@ void main() {
   }
 
   Hits hits;
-  if (HAS_HITS) {
+  if (HAS_HITS && HAS_LENS) {
+    hits = closest(rays);
+  } else if (HAS_HITS) {
     hits = closestFromOne(rays);
   } else {
     FOR_RAYS (uint r = 0u; r < R; ++r) hits.slot[r] = NO_HIT;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lab/explain/explain.h"
 #include "pictures/harness.h"
 #include "reference/reference.h"
 #include "support/bumpy_sphere.h"
@@ -75,18 +76,19 @@ class Paths : public testing::TestWithParam<const IntegratorRow*> {};
 /// A sample is another one where rounding decides otherwise: which side of an edge a ray passes, or
 /// whether roulette ends it. Floats' directions are off by 1e-7, so that a few paths in a thousand
 /// do, after some bounces; a pixel shows the samples of 25 pixels.
+double shareBeyond(const Image& image, const Image& wanted) {
+  std::size_t beyond = 0;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    if (!(std::abs(image.pixels[i] - wanted.pixels[i]) <= 1e-4F * (1.0F + wanted.pixels[i])))
+      ++beyond;
+  return static_cast<double>(beyond) / static_cast<double>(image.pixels.size());
+}
+
 void expectPathsOfTheTwin(const Scene& scene) {
   const Image image = render(scene);
   const Image wanted = Reference(scene).render().image;
-  std::size_t beyond = 0;
-  double sum = 0.0;
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    sum += static_cast<double>(wanted.pixels[i]);
-    if (!(std::abs(image.pixels[i] - wanted.pixels[i]) <= 1e-4F * (1.0F + wanted.pixels[i])))
-      ++beyond;
-  }
-  EXPECT_GT(sum, 0.0);
-  EXPECT_LE(static_cast<double>(beyond), 0.03 * static_cast<double>(image.pixels.size()));
+  EXPECT_GT(meanOf(wanted), 0.0);
+  EXPECT_LE(shareBeyond(image, wanted), 0.03);
 }
 
 TEST_P(Paths, AreThoseOfTheTwin) { expectPathsOfTheTwin(room(*GetParam())); }
@@ -133,6 +135,19 @@ TEST(AllBsdfs, HaveTheSameBitsByEveryTraversal) {
   const Image image = render(scene, onTestDevice("lane"));
   for (const std::string& traversal : traversals())
     EXPECT_EQ(render(scene, onTestDevice(traversal)).pixels, image.pixels) << traversal;
+}
+
+/// The mean of a picture of independent pixels, three channels of which are one sample, and the
+/// standard deviation of that mean.
+struct Mean {
+  double value, deviation;
+};
+Mean meanAndDeviation(const Image& image) {
+  const double mean = meanOf(image);
+  double squares = 0.0;
+  for (const float value : image.pixels) squares += std::pow(static_cast<double>(value) - mean, 2);
+  const auto values = static_cast<double>(image.pixels.size());
+  return {mean, std::sqrt(squares / values / (values / 3.0))};
 }
 
 /// A sphere under a white sky that absorbs nothing cannot be told from it.
@@ -183,16 +198,105 @@ TEST(Furnace, InAClosedRoomEachPointSendsOne) {
     scene.filter = filterOf(*rowCalled(filterRows(), "box"));
     scene.sampler.sampleCount = 16;
     const Image image = render(scene);
-    const double mean = meanOf(image);
-    double squares = 0.0;
-    for (const float value : image.pixels)
-      squares += std::pow(static_cast<double>(value) - mean, 2);
-    // Three channels of a pixel are one sample.
-    const double pixels = static_cast<double>(image.pixels.size()) / 3.0;
-    const double deviation = std::sqrt(squares / static_cast<double>(image.pixels.size()) / pixels);
+    const auto [mean, deviation] = meanAndDeviation(image);
     EXPECT_NEAR(mean, 1.0, 4.0 * deviation) << name;
     EXPECT_LT(deviation, 0.02) << name;
   }
+}
+
+/// An image with a sun of 2 x 2 pixels, in a space that is turned and stretched.
+Environment sunny() {
+  Image image = rgbImage(64, 32);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = 0.1F + 0.001F * static_cast<float>(i % 97);
+  for (const int y : {9, 10})
+    for (const int x : {20, 21})
+      for (std::size_t c = 0; c < 3; ++c) image.at(x, y, c) = 300.0F;
+  Environment sky;
+  sky.row = &emitters::environment;
+  sky.image = std::make_shared<const Picture>(std::move(image));
+  sky.toWorld = {0.9, 0.1, 0.3, 0, -0.2, 1.2, 0.1, 0, -0.3, 0.2, 0.7, 0, 0, 0, 0, 1};
+  return sky;
+}
+
+Scene underTheSun(const char* integrator) {
+  Scene scene = room(*rowCalled(integratorRows(), integrator));
+  scene.lights.clear();
+  for (Mesh& mesh : scene.meshes) mesh.light.reset();
+  scene.environment = sunny();
+  return scene;
+}
+
+TEST(Sky, PathsUnderAnImageAreThoseOfTheTwin) {
+  for (const char* name : {"direct_ems", "path_mis"}) {
+    const Scene scene = underTheSun(name);
+    EXPECT_LE(shareBeyond(render(scene), Reference(scene).render().image), 0.03) << name;
+  }
+}
+
+/// Two means of independent samples differ by more than 4 standard deviations once in 15,000.
+TEST(Sky, AllStrategiesHaveOneMeanAndLightSamplingFindsTheSun) {
+  const auto meanBy = [](const char* name) {
+    Scene scene = underTheSun(name);
+    scene.meshes = {sphere({0.0, 0.0, 0.0}, 1.0, bsdfs::diffuse)};
+    scene.camera.fov = 20.0;
+    scene.filter = filterOf(*rowCalled(filterRows(), "box"));
+    scene.sampler.sampleCount = 256;
+    return meanAndDeviation(render(scene));
+  };
+  const Mean mats = meanBy("direct_mats"), ems = meanBy("direct_ems"), mis = meanBy("direct_mis");
+  EXPECT_NEAR(mats.value, mis.value, 4.0 * std::hypot(mats.deviation, mis.deviation));
+  EXPECT_NEAR(ems.value, mis.value, 4.0 * std::hypot(ems.deviation, mis.deviation));
+  EXPECT_LT(mats.deviation, 0.03 * mats.value);
+}
+
+TEST(Lens, RaysAreThoseOfTheTwinByEveryTraversal) {
+  for (const char* name : {"normals", "depth", "ao", "direct_mis"}) {
+    Scene scene = room(*rowCalled(integratorRows(), name));
+    scene.camera.row = &cameras::thinlens;
+    scene.camera.lensRadius = 0.2;
+    scene.camera.focalDistance = 3.2;
+    const Image image = render(scene);
+    EXPECT_LE(shareBeyond(image, Reference(scene).render().image), 0.03) << name;
+    for (const std::string& traversal : traversals())
+      EXPECT_EQ(render(scene, onTestDevice(traversal)).pixels, image.pixels) << name << traversal;
+    Scene pinhole = scene;
+    pinhole.camera.row = &cameras::perspective;
+    EXPECT_GT(shareBeyond(image, render(pinhole)), 0.1) << name;
+  }
+}
+
+TEST(Simple, ItsLightIsThatOfTheTwin) {
+  Scene scene = room(*rowCalled(integratorRows(), "simple"));
+  scene.integrator.set("position", glm::dvec3(-0.8, 0.5, -0.8));
+  scene.integrator.set("energy", glm::dvec3(40.0, 20.0, 10.0));
+  const Explanation explained = laver::explain(scene, scene, onTestDevice());
+  EXPECT_EQ(explained.unexplained(), 0U) << explained.first;
+  Scene other = scene;
+  other.integrator.set("position", glm::dvec3(-0.7, 0.5, -0.8));
+  EXPECT_GT(laver::explain(scene, other, onTestDevice()).unexplained(), 100U);
+}
+
+TEST(ExplainPaths, AreNotExplainedSampleBySample) {
+  const Scene scene = room(*rowCalled(integratorRows(), "path_mis"));
+  EXPECT_THROW(laver::explain(scene, scene, onTestDevice()), Error);
+}
+
+TEST(MaxDepth, OneSurfaceIsDirectLight) {
+  Scene path = room(*rowCalled(integratorRows(), "path_mis"));
+  path.integrator.set("max_depth", std::int64_t{1});
+  const Scene direct = room(*rowCalled(integratorRows(), "direct_mis"));
+  EXPECT_EQ(shareBeyond(render(path), render(direct)), 0.0);
+  EXPECT_LE(shareBeyond(render(path), Reference(path).render().image), 0.03);
+}
+
+TEST(Occlusion, HasALength) {
+  Scene scene = room(integrators::ambientOcclusion);
+  const Image endless = render(scene);
+  scene.integrator.set("length", 0.1);
+  const Image image = render(scene);
+  EXPECT_LE(shareBeyond(image, Reference(scene).render().image), 0.03);
+  EXPECT_GT(shareBeyond(image, endless), 0.1);
 }
 
 }  // namespace

@@ -63,8 +63,10 @@ std::vector<LintedKernel> everyKernel() {
       key.background = "environment";
       key.normals = key.materials = key.bsdfRecords = key.spheres = key.lights = true;
       key.manyLights = key.byteImages = key.floatImages = true;
-      if (integrator == integrators::averageVisibility.name)
-        key.properties = {{"float", "length", ""}};
+      if (const IntegratorRow* row = rowCalled(integratorRows(), integrator))
+        for (const PropertyRow& property : row->properties)
+          key.properties.push_back({isTriple(property.type) ? "vec3" : "float", property.name, ""});
+      if (integrator == integrators::depth.name) key.camera = cameras::thinlens.name;
       kernels.push_back(
           {integrator + ", " + traversalName(traversal), compose(key), isPacket(traversal), true});
     }
@@ -86,7 +88,7 @@ LAVER_STABILITY(Spirv, "SPIR-V: NoContraction, no min or max of NaN, no arithmet
     const auto faults = lint(counts, packet);
     // Renamed functions would otherwise go unchecked.
     for (const char* needed : {"differenceOfProducts", "edgesOf", "depthOf", "shearOf", "pointAt",
-                               "filmPosition", "insidePixel", "cameraDirection"})
+                               "filmPosition", "insidePixel", "pinholeDirection"})
       EXPECT_EQ(counts.functions.count(needed), traces ? 1U : 0U) << name << ", " << needed;
     for (const std::string& fault : faults) ADD_FAILURE() << name << ": " << fault;
 

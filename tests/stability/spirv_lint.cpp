@@ -35,7 +35,7 @@ const std::map<std::string, Precise> kPrecise = {
     {"uniformDirection", Precise::All},  // direction.h
     {"filmPosition", Precise::All},      // sampler.glsl: pixel + jitter is Nori's float sum
     {"insidePixel", Precise::All},       // sampler.glsl
-    {"cameraDirection", Precise::All},
+    {"pinholeDirection", Precise::All},
     {"expOf", Precise::Some},  // exp.glsl: Cody and Waite's reduction; the last is a scaling
     {"addCompensated", Precise::All},  // gather.glsl: two-sum is all rounding errors
 };

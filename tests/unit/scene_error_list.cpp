@@ -25,8 +25,8 @@ TEST_F(SceneErrorList, AllOfAFileInItsOrder) {
       "bad.obj:2: error: vertex index 0, OBJ counts from 1\n"
       "f.xml:5:2: error: laver has no integrator of type \"nomals\": expected \"normals\", "
       "\"direct_whitted\", \"depth\", \"av\", \"ao\", \"geometric_normals\", \"whitted\", "
-      "\"direct\", \"direct_ems\", \"direct_mats\", \"direct_mis\", \"path_ems\", \"path_mats\" or "
-      "\"path_mis\" (nearest: "
+      "\"direct\", \"direct_ems\", \"direct_mats\", \"direct_mis\", \"path_ems\", \"path_mats\", "
+      "\"path_mis\", \"photonmapper\" or \"simple\" (nearest: "
       "\"normals\"); there is no file nomals.glsl next to the scene either");
 }
 

@@ -60,8 +60,8 @@ const std::vector<Case> kStructure = {
     {"no_integrator", "<scene/>",
      "f.xml:1:2: error: <scene> needs an <integrator>: expected type \"normals\", "
      "\"direct_whitted\", \"depth\", \"av\", \"ao\", \"geometric_normals\", \"whitted\", "
-     "\"direct\", \"direct_ems\", \"direct_mats\", \"direct_mis\", \"path_ems\", \"path_mats\" or "
-     "\"path_mis\""},
+     "\"direct\", \"direct_ems\", \"direct_mats\", \"direct_mis\", \"path_ems\", \"path_mats\", "
+     "\"path_mis\", \"photonmapper\" or \"simple\""},
     {"second_integrator", scene("<integrator type=\"depth\"/>"),
      "f.xml:2:2: error: a second <integrator> in <scene>, expected one: the first is in line 1"},
     {"second_camera", scene("<camera type=\"perspective\"/>\n <camera type=\"perspective\"/>"),
@@ -214,10 +214,12 @@ const std::vector<Case> kLacking = {
     {"integrator", scene("", "vol_path"),
      "f.xml:1:9: error: laver has no integrator of type \"vol_path\": expected \"normals\", "
      "\"direct_whitted\", \"depth\", \"av\", \"ao\", \"geometric_normals\", \"whitted\", "
-     "\"direct\", \"direct_ems\", \"direct_mats\", \"direct_mis\", \"path_ems\", \"path_mats\" or "
-     "\"path_mis\"; there is no file vol_path.glsl next to the scene either"},
-    {"camera", scene("<camera type=\"thinlens\"/>"),
-     "f.xml:2:2: error: laver has no camera of type \"thinlens\": expected \"perspective\""},
+     "\"direct\", \"direct_ems\", \"direct_mats\", \"direct_mis\", \"path_ems\", \"path_mats\", "
+     "\"path_mis\", \"photonmapper\" or \"simple\"; there is no file vol_path.glsl next to the "
+     "scene either"},
+    {"camera", scene("<camera type=\"fisheye\"/>"),
+     "f.xml:2:2: error: laver has no camera of type \"fisheye\": expected \"perspective\", "
+     "\"thinlens\", \"depthoffield\" or \"dofCamera\""},
     {"sampler", scene("<sampler type=\"halton\"/>"),
      "f.xml:2:2: error: laver has no sampler of type \"halton\": expected \"independent\", "
      "\"stratified\" or \"sobol\""},

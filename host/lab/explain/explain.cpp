@@ -55,6 +55,8 @@ Explanation explain(const Scene& scene, const Scene& judged, const VulkanOptions
                 fmt::format("explain takes integrators whose rays end at the first hit or at what "
                             "occludes it, found {}",
                             scene.integrator.row->name));
+  if (scene.camera.row->lens)
+    throw Error(ExitCode::Usage, "explain takes pinhole cameras, found a lens");
   const SampleComparison comparison(scene, judged, vulkan);
   const auto width = static_cast<std::size_t>(comparison.width());
   std::vector<ComparedSample> samples(width * static_cast<std::size_t>(comparison.height()));

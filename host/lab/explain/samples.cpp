@@ -22,7 +22,7 @@ Scene oneSample(Scene scene, const IntegratorUse& integrator) {
 }
 
 bool looksBeyondTheHit(const IntegratorUse& integrator) {
-  return integrator.row->needs.lights || integrator.row->needs.numbers;
+  return integrator.row->needs.lights || integrator.row->needs.numbers || integrator.row->looksOn;
 }
 
 /// The scene with one mesh per primitive, whose albedo encodes its number in two parts that floats

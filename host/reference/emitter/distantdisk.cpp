@@ -34,7 +34,8 @@ glm::dvec3 distantdisk(const Environment& environment, const glm::dvec3& directi
 
 /// Uniform in the cap. The azimuth is measured in the frame of Duff et al., "Building an
 /// Orthonormal Basis, Revisited" (2017).
-DirectionSample distantdiskDirection(const Environment& environment, glm::dvec2 numbers) {
+DirectionSample distantdiskDirection(const Environment& environment, glm::ivec2, std::size_t,
+                                     glm::dvec2 numbers) {
   const glm::dvec3 n = axisOf(environment);
   const double sign = std::copysign(1.0, n.z), a = -1.0 / (sign + n.z), b = n.x * n.y * a;
   const glm::dvec3 tangent(1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x);
@@ -47,8 +48,9 @@ DirectionSample distantdiskDirection(const Environment& environment, glm::dvec2 
           0.5 / std::numbers::pi / heightOf(environment)};
 }
 
-double distantdiskDensity(const Environment& environment, const glm::dvec3& direction) {
-  return onDisk(environment, direction) ? 0.5 / std::numbers::pi / heightOf(environment) : 0.0;
+CellDensity distantdiskDensity(const Environment& environment, glm::ivec2,
+                               const glm::dvec3& direction) {
+  return {0, onDisk(environment, direction) ? 0.5 / std::numbers::pi / heightOf(environment) : 0.0};
 }
 
 }  // namespace laver::reference

@@ -8,9 +8,10 @@ namespace laver::reference {
 glm::dvec3 averageVisibility(const CameraSample& sample) {
   if (!sample.hit) return glm::dvec3(1.0);
   const Surface surface = sample.world.surface(*sample.hit);
-  return glm::dvec3(openness(sample.world, surface,
-                             uniformAround(surface.shading, sample.numbers.pair(1)),
-                             sample.integrator.real("length")));
+  return glm::dvec3(openness(
+      sample.world, surface,
+      uniformAround(surface.shading, sample.numbers.pair(sample.scene.camera.row->lens ? 2 : 1)),
+      sample.integrator.real("length")));
 }
 
 }  // namespace laver::reference

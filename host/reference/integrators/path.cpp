@@ -46,6 +46,12 @@ glm::dvec3 fromSources(const CameraSample& sample, const Rules& rules, const Bsd
   return sample.world.blocked(from, light.end) ? glm::dvec3(0.0) : value;
 }
 
+/// Surfaces that scatter, at most, by the property; -1: no maximum.
+int maximumOf(const CameraSample& sample) {
+  const double given = sample.integrator.real("max_depth");
+  return given == 0.0 ? -1 : static_cast<int>(given);
+}
+
 glm::dvec3 path(const CameraSample& sample, const Rules& rules) {
   glm::dvec3 radiance(0.0), throughput(1.0), direction = sample.direction, origin = sample.origin;
   double density = 0.0;
@@ -96,8 +102,13 @@ glm::dvec3 direct(const CameraSample& s) {
 glm::dvec3 directEms(const CameraSample& s) { return path(s, {.bsdf = false, .bounces = 1}); }
 glm::dvec3 directMats(const CameraSample& s) { return path(s, {.sources = false, .bounces = 1}); }
 glm::dvec3 directMis(const CameraSample& s) { return path(s, {.bounces = 1}); }
-glm::dvec3 pathEms(const CameraSample& s) { return path(s, {.bsdf = false}); }
-glm::dvec3 pathMats(const CameraSample& s) { return path(s, {.sources = false}); }
-glm::dvec3 pathMis(const CameraSample& s) { return path(s, {}); }
+glm::dvec3 pathEms(const CameraSample& s) {
+  return path(s, {.bsdf = false, .bounces = maximumOf(s)});
+}
+glm::dvec3 pathMats(const CameraSample& s) {
+  return path(s, {.sources = false, .bounces = maximumOf(s)});
+}
+glm::dvec3 pathMis(const CameraSample& s) { return path(s, {.bounces = maximumOf(s)}); }
+glm::dvec3 photonMapper(const CameraSample& s) { return path(s, {}); }
 
 }  // namespace laver::reference
