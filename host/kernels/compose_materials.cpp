@@ -135,8 +135,6 @@ std::uint32_t MaterialLayout::texels() const {
 
 std::string materialText(const TraceKey& key) {
   Text text;
-  // Compilers round a BSDF's product in other ways where it stands beside others, by the traversal.
-  text.line("#define OF_SEVERAL_PRECISE {}", key.bsdfs.size() > 1 ? "precise" : "");
   text.include("bsdf/material.glsl");
   materialStruct(key.layout, text);
   textures(key, text);

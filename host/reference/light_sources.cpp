@@ -51,8 +51,7 @@ void LightSources::addBackground() {
     for (std::size_t i = 0; i < grid.power.size(); ++i)
       add({Source::Kind::Background, i, factor * std::max(grid.power[i], least), 0.0});
   } else {
-    const double share =
-        sky.row == &emitters::distantdisk ? std::pow(std::sin(sky.angle * kPi / 360.0), 2) : 1.0;
+    const double share = std::pow(std::sin(sky.angle * kPi / 360.0), 2);
     add({Source::Kind::Background, 0, factor * share * 4.0 * kPi, 0.0});
   }
   cells_ = sources_.size() - background_;

@@ -161,7 +161,7 @@ Uploads uploadsOf(const Scene& scene, const std::vector<PictureChoice>& pictures
     uploads.materials |= key.bsdfRecords || key.materials;
     uploads.textures |= !key.textures.empty();
     uploads.lights |= key.lights;
-    uploads.emission |= key.bounces;
+    uploads.emission |= picture.integrator.row->needs.emitters;
     uploads.jumpLevels = std::max(uploads.jumpLevels, key.jumpLevels);
     uploads.background |= key.background != "none";
   }
@@ -201,7 +201,8 @@ Choices choose(const Scene& scene, const RenderOptions& options, const VulkanOpt
                const DeviceInfo& device) {
   Choices choices;
   TraversalChoice traversal = traversalOf(scene, device, vulkan.traversal);
-  if (scene.integrator.row->bounces || scene.camera.row->lens)
+  const bool chosen = vulkan.traversal.empty();
+  if (scene.integrator.row->bounces || (chosen && scene.camera.row->lens))
     traversal = {Traversal::Lane, "its rays share neither origin nor direction"};
   choices.traversal = traversal.traversal;
   choices.pictures = picturesOf(scene, options);

@@ -7,7 +7,7 @@
 
 namespace laver {
 
-// Not the BSDFs: beside others, compilers may round one differently.
+// Not the BSDFs: compilers round one differently beside others, though alike in every traversal.
 const std::vector<std::string>& generalParts() {
   static const std::vector<std::string> parts = {
       "stack",       "normals",     "materials", "bsdf records", "lights",

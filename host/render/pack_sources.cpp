@@ -32,8 +32,7 @@ double areaOf(const shared::Triangle& t) {
 /// Luminance times solid angle of the background, cell by cell of an image.
 SkyGrid gridOf(const Environment& environment) {
   const double all = luminance(environment.radiance);
-  const double degrees = environment.row == &emitters::distantdisk ? environment.angle : 180.0;
-  const double versine = 2.0 * std::pow(std::sin(0.5 * glm::radians(degrees)), 2);
+  const double versine = 2.0 * std::pow(std::sin(0.5 * glm::radians(environment.angle)), 2);
   if (!environment.image) return {glm::ivec2(1), {all * 2.0 * std::numbers::pi * versine}};
   SkyGrid grid = skyGrid(*environment.image, environment.raw);
   double brightest = 0.0;
@@ -48,7 +47,12 @@ SkyGrid gridOf(const Environment& environment) {
 void addBackground(const Scene& scene, Packed& packed, std::vector<Weighed>& all) {
   const SkyGrid grid = gridOf(*scene.environment);
   const double radius = 0.5 * packed.diagonal * packed.space.scale;
-  packed.params.backgroundCells = glm::uvec2(grid.size);
+  shared::Params& p = packed.params;
+  p.backgroundCells = glm::uvec2(grid.size);
+  const glm::dmat3 rows(p.backgroundX, p.backgroundY, p.backgroundZ);
+  p.cellDensity =
+      static_cast<float>(std::abs(glm::determinant(rows)) * grid.size.x /
+                         (4.0 * std::numbers::pi * std::sin(0.5 * std::numbers::pi / grid.size.y)));
   for (std::uint32_t i = 0; i < grid.power.size(); ++i)
     all.push_back({{shared::SOURCE_BACKGROUND, i, 0.0F, 0.0F},
                    grid.power[i] * std::numbers::pi * radius * radius});

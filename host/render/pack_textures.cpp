@@ -51,12 +51,9 @@ void TexturePacker::packBackground(const Environment& environment) {
   p.backgroundY = row(1);
   p.backgroundZ = row(2);
   p.backgroundRadiance = vec3(environment.radiance);
-  if (environment.row == &emitters::distantdisk) {
-    const glm::dvec3 axis = glm::dmat3(environment.toWorld) * glm::dvec3(0.0, 0.0, 1.0);
-    p.backgroundZ = vec3(glm::normalize(axis));
-    p.backgroundVersine =
-        static_cast<float>(2.0 * std::pow(std::sin(0.5 * glm::radians(environment.angle)), 2));
-  }
+  p.backgroundAxis = vec3(glm::normalize(glm::dvec3(environment.toWorld[2])));
+  p.backgroundVersine =
+      static_cast<float>(2.0 * std::pow(std::sin(0.5 * glm::radians(environment.angle)), 2));
   if (environment.image) p.backgroundImage = add(*environment.image, environment.raw, false);
 }
 

@@ -94,13 +94,9 @@ std::string describeBsdf(const Bsdf& bsdf) {
 std::string describeEnvironment(const std::optional<Environment>& environment) {
   if (!environment) return "null";
   const std::string key = "    toWorld = ";
-  if (environment->row == &emitters::distantdisk)
-    return fmt::format("{}[\n    radiance = {},\n    thetaA = {:f},\n{}{}\n  ]",
-                       environment->row->object, triple(environment->radiance), environment->angle,
-                       key, rows(environment->toWorld, key.size()));
-  return fmt::format("{}[\n    radiance = {},\n    environment = \"{}\",\n{}{}\n  ]",
-                     environment->row->object, triple(environment->radiance), environment->filename,
-                     key, rows(environment->toWorld, key.size()));
+  return fmt::format("{}[\n    radiance = {},\n    {},\n{}{}\n  ]", environment->row->object,
+                     triple(environment->radiance), environment->row->describe(*environment), key,
+                     rows(environment->toWorld, key.size()));
 }
 
 std::string describeMesh(const Mesh& mesh) {

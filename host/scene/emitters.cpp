@@ -192,6 +192,14 @@ std::vector<PropertyRow> environmentProperties() {
            .meaning = "from the image's directions"}};
 }
 
+std::string describeImage(const Environment& environment) {
+  return fmt::format("environment = \"{}\"", environment.filename);
+}
+
+std::string describeDisk(const Environment& environment) {
+  return fmt::format("thetaA = {:f}", environment.angle);
+}
+
 }  // namespace
 
 namespace emitters {
@@ -237,6 +245,7 @@ const EmitterRow environment{
                .properties = environmentProperties(),
                .build = buildEnvironment},
               {.type = "envmap", .properties = environmentProperties(), .build = buildEnvmap}},
+    .describe = describeImage,
     .background = reference::environment,
     .direction = reference::environmentDirection,
     .density = reference::environmentDensity};
@@ -246,6 +255,7 @@ const EmitterRow constant{.name = "constant",
                           .forms = {{.type = "constant",
                                      .properties = {backgroundRow("of all directions")},
                                      .build = buildConstant}},
+                          .describe = describeImage,
                           .background = reference::constant,
                           .direction = reference::constantDirection,
                           .density = reference::constantDensity};
@@ -271,6 +281,7 @@ const EmitterRow distantdisk{
                                .start = Environment{}.toWorld,
                                .meaning = "takes +z to the direction of the disk's centre"}},
                .build = buildDistantDisk}},
+    .describe = describeDisk,
     .background = reference::distantdisk,
     .direction = reference::distantdiskDirection,
     .density = reference::distantdiskDensity};

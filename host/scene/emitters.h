@@ -25,6 +25,8 @@ struct EmitterRow {
   const char* name;
   const char* object = "";  ///< Nori's class, in the dump
   std::vector<Form> forms{};
+  /// What the dump shows of a background between radiance and toWorld.
+  std::string (*describe)(const Environment& environment) = nullptr;
   reference::LightSample (*sample)(const PointLight& light, const glm::dvec3& from) = nullptr;
   /// Background radiance in a direction of any length except 0.
   glm::dvec3 (*background)(const Environment& environment, const glm::dvec3& direction) = nullptr;
@@ -63,7 +65,7 @@ struct Environment {
   std::string filename{};    ///< empty: no image
   bool raw = false;
   bool encoded = false;                    ///< values of an EXR image, too, are divided by 255
-  double angle = 180.0;                    ///< degrees
+  double angle = 180.0;                    ///< degrees; 180: all directions
   std::shared_ptr<const Picture> image{};  ///< null if the integrator does not use the background
   const EmitterRow* row = &emitters::constant;
 };

@@ -43,8 +43,9 @@ std::string problemOf(const PropertyRow& row, const Value& value) {
   const auto* integer = std::get_if<std::int64_t>(&value);
   const auto* color = std::get_if<glm::dvec3>(&value);
   const bool valid = integer != nullptr ? contains(static_cast<double>(*integer))
-                     : color != nullptr ? contains(color->x) && contains(color->y) && contains(color->z)
-                                        : contains(std::get<double>(value));
+                     : color != nullptr
+                         ? contains(color->x) && contains(color->y) && contains(color->z)
+                         : contains(std::get<double>(value));
   if (valid) return {};
   return fmt::format("{} must be {}, found {}", row.name, rangeText(row), textOf(value));
 }

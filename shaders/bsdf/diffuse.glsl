@@ -1,8 +1,7 @@
 // Lambertian reflection: albedo / pi on the upper side.
 vec3 diffuseEval(Material m, vec3 normal, vec3 wi, vec3 wo, vec3 light) {
   const bool above = dotProduct(normal, wi) > 0.0 && dotProduct(normal, wo) > 0.0;
-  OF_SEVERAL_PRECISE vec3 value = light * m.albedo * 0.31830989;
-  return above ? value : vec3(0.0);
+  return above ? light * m.albedo * 0.31830989 : vec3(0.0);
 }
 
 float diffusePdf(Material m, vec3 normal, vec3 wi, vec3 wo) {

@@ -1,10 +1,12 @@
-// A disk of one radiance, infinitely far away: the directions within an angle of params.backgroundZ.
+// A disk of one radiance, infinitely far away: the directions within an angle
+// of params.backgroundAxis.
 #include "shared/direction.h"
 
 // By the squared chord between direction and axis, which is accurate for small disks, too.
 bool onDisk(vec3 direction) {
-  const vec3 chord = unitOr(direction, vec3(0.0)) - params.backgroundZ;
-  return params.backgroundVersine == 2.0 || dotProduct(chord, chord) <= 2.0 * params.backgroundVersine;
+  const vec3 chord = unitOr(direction, vec3(0.0)) - params.backgroundAxis;
+  const float versine = params.backgroundVersine;
+  return versine == 2.0 || dotProduct(chord, chord) <= 2.0 * versine;
 }
 
 vec3 backgroundAt(vec3 direction) {
@@ -12,7 +14,9 @@ vec3 backgroundAt(vec3 direction) {
 }
 
 float backgroundDensity(vec3 direction) {
-  return onDisk(direction) ? 0.159154943 / params.backgroundVersine * params.backgroundProbability : 0.0;  // 1 / 2 pi
+  // 1 / (2 pi versine)
+  return onDisk(direction) ? 0.159154943 / params.backgroundVersine * params.backgroundProbability
+                           : 0.0;
 }
 
 // Uniform in the cap: 1 - cosine is. Tangents as Duff et al. have them, "Building an Orthonormal Basis,
@@ -20,7 +24,7 @@ float backgroundDensity(vec3 direction) {
 vec3 sampleBackground(Source source, vec2 numbers, out float density, out vec3 radiance) {
   // Not backgroundAt(): rounding takes directions out of small disks.
   radiance = params.backgroundRadiance;
-  const vec3 n = params.backgroundZ;
+  const vec3 n = params.backgroundAxis;
   const float side = n.z < 0.0 ? -1.0 : 1.0;
   const float a = -1.0 / (side + n.z), b = n.x * n.y * a;
   const vec3 tangent = vec3(1.0 + side * n.x * n.x * a, side * b, -side * n.x);

@@ -20,18 +20,14 @@ vec3 backgroundAt(vec3 direction) {
   return params.backgroundRadiance * imageAt(params.backgroundImage, place.x, place.y, false);
 }
 
-// Density per solid angle of the world of a unit direction that is drawn uniformly in a cell. A linear map N
-// changes the solid angle around a unit vector w by the factor |det N| / |N w|^3.
+// Density per solid angle of the world of a unit direction w that is drawn uniformly in a cell. The solid angle
+// of a cell is 4 pi / columns * sin(pi / (2 rows)) times the sine of its middle latitude; the linear map N to
+// the image's space changes it around w by the factor |det N| / |N w|^3. params.cellDensity has what all share.
 float cellDensity(uint row, vec3 direction) {
   const vec3 d = imageDirection(direction);
-  const vec2 cells = vec2(params.backgroundCells);
-  // cellSolidAngle() (host/image/sky_grid.h); sin(pi x) is the sine of half a turn times x.
-  const float middle = cosSinOfTurn((float(row) + 0.5) / cells.y * 0.5).y;
-  const float solidAngle = 12.5663706 / cells.x * middle * cosSinOfTurn(0.25 / cells.y).y;
-  const float volume =
-      abs(dotProduct(params.backgroundX, crossProduct(params.backgroundY, params.backgroundZ)));
+  const float middle = cosSinOfTurn((float(row) + 0.5) / float(params.backgroundCells.y) * 0.5).y;
   const float squared = dotProduct(d, d);
-  return volume / (solidAngle * squared * sqrt(squared));
+  return params.cellDensity / (middle * squared * sqrt(squared));
 }
 
 // A cell of the image is a source.

@@ -22,8 +22,7 @@ LightSample sampleLight(PointLight light, Surface s) {
   arriving.direction = light.position - s.position;
   const float squared = dotProduct(arriving.direction, arriving.direction);
   const float along = dotProduct(s.normal, arriving.direction);
-  // A light nearer than 2^-50 of the scene, far below the rounding of positions, lies on the surface.
-  arriving.reaches = along > 0.0 && squared > 7.8886091e-31;
+  arriving.reaches = along > 0.0 && squared > ON_SURFACE;
   arriving.irradiance = light.radiance / squared * (along / sqrt(squared));
   return arriving;
 }

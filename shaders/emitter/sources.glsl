@@ -135,8 +135,7 @@ SourceSample sampleSources(Surface s, float number, vec2 numbers) {
       const float squared = dotProduct(away, away);
       arriving.direction = unitOr(away, s.normal);
       arriving.end = light.position;
-      // As sampleLight() has it.
-      arriving.radiance = squared > 7.8886091e-31 ? light.radiance / squared : vec3(0.0);
+      arriving.radiance = squared > ON_SURFACE ? light.radiance / squared : vec3(0.0);
       arriving.radiance /= source.probability;
     }
   }

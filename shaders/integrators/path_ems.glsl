@@ -1,4 +1,4 @@
-// Light transport up to `max_depth` surfaces, without a maximum by default, by light sampling.
+// Light transport by light sampling, along at most `max_depth` surfaces; 0: any number.
 const bool SAMPLES_SOURCES = true;
 const bool SAMPLES_BSDF = false;
 const bool SHOWS_EMISSION = true;

@@ -1,4 +1,5 @@
-// Light transport up to `max_depth` surfaces, without a maximum by default, by sampling the BSDF: point lights are not found.
+// Light transport by sampling the BSDF, along at most `max_depth` surfaces; 0: any number. Point lights are
+// not found.
 const bool SAMPLES_SOURCES = false;
 const bool SAMPLES_BSDF = true;
 const bool SHOWS_EMISSION = true;

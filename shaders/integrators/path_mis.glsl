@@ -1,4 +1,5 @@
-// Light transport up to `max_depth` surfaces, without a maximum by default, by light sampling and by sampling the BSDF.
+// Light transport by light sampling and by sampling the BSDF, along at most `max_depth` surfaces; 0: any
+// number.
 const bool SAMPLES_SOURCES = true;
 const bool SAMPLES_BSDF = true;
 const bool SHOWS_EMISSION = true;

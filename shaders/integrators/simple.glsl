@@ -8,8 +8,7 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
     const Surface s = surfaceAt(rays.origin[r], rays.direction[r], hit ? hits.slot[r] : 0u);
     const vec3 away = light - s.position;
     const float squared = dotProduct(away, away), along = dotProduct(s.normal, away);
-    // As sampleLight() (emitter/point.glsl) has it.
-    lit[r] = hit && along > 0.0 && squared > 7.8886091e-31;
+    lit[r] = hit && along > 0.0 && squared > ON_SURFACE;
     arriving[r] = xml_energy * 0.0253302959 / squared * (along / sqrt(squared));
     points[r] = offsetOrigin(s, away);
   }

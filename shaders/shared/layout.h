@@ -62,6 +62,10 @@ LAVER_CONST float SCENE_REACH = 4.0f;
 // tmax of rays without an end: times a direction it is finite.
 LAVER_CONST float FAR_AWAY = 1e37f;
 
+// A point light nearer than 2^-50 of the scene, far below the rounding of positions, lies on the
+// surface; squared.
+LAVER_CONST float ON_SURFACE = 7.8886091e-31f;
+
 // One child of a node: its padded box and its reference. 2 texels.
 struct Child {
   vec3 lo;
@@ -213,8 +217,10 @@ struct Params {
   vec3 backgroundZ;
   uint sources;  // light sources of light sampling
   vec3 backgroundRadiance;
-  uint backgroundSource;   // the first source of the background
-  uvec2 backgroundCells;   // columns and rows of the image's grid for light sampling
+  uint backgroundSource;  // the first source of the background
+  vec3 backgroundAxis;    // distantdisk: unit vector to its centre
+  float cellDensity;      // of light sampling, see emitter/environment.glsl
+  uvec2 backgroundCells;  // columns and rows of the image's grid for light sampling
   vec2 pad3;
   ImageRef backgroundImage;
 };
@@ -263,7 +269,7 @@ static_assert(sizeof(Texture) == 64 && offsetof(Texture, image) == 48);
 static_assert(sizeof(Light) == 32 && offsetof(Light, radiance) == 16);
 static_assert(sizeof(Jump) == 16 && sizeof(Emission) == 16 && sizeof(Source) == 16);
 static_assert(sizeof(Count) == 16 && sizeof(Work) == 16);
-static_assert(sizeof(Params) == 448 && offsetof(Params, filmSize) == 80);
+static_assert(sizeof(Params) == 464 && offsetof(Params, filmSize) == 80);
 static_assert(sizeof(Pass) == 96);
 static_assert(sizeof(FilmPixel) == 32);
 static_assert(sizeof(Status) == 8);

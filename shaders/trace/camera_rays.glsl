@@ -27,8 +27,8 @@ uvec3 rayPlace(uvec3 tile, uint r) {
   return tile + uvec3(inside, sampleNumber);
 }
 
-// The random pair of dimension `dimension` in [0, 1)^2 for the sample of ray r. Dimension 1 is
-// the aperture's.
+// The random pair of dimension `dimension` in [0, 1)^2 for the sample of ray r. Dimension 1 is the
+// aperture's.
 vec2 randomPair(uint r, uint dimension) {
   const uvec3 place = rayPlace(tileOrigin(), r);
   return samplePair(pass.region.xy + place.xy, pass.firstSample + place.z, dimension);

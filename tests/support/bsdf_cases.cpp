@@ -1,9 +1,10 @@
+#include "support/bsdf_cases.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "reference/bsdf.h"
-#include "support/bsdf_cases.h"
 
 namespace laver::test {
 namespace {
@@ -49,7 +50,8 @@ Bsdf textured(Bsdf bsdf) {
 
 /// Further values of a BSDF's numbers.
 std::vector<Values> variantsOf(const std::string& name) {
-  if (name == "microfacet") return {{{"alpha", 0.4}}};
+  // Without a diffuse part, so that the samples are those of the facets.
+  if (name == "microfacet") return {{{"alpha", 0.4}}, {{"alpha", 0.4}, {"kd", glm::dvec3(0.0)}}};
   if (name == "disney")
     return {{{"metallic", 1.0}, {"roughness", 0.4}},
             {{"clearcoat", 1.0}, {"clearcoatGloss", 0.3}, {"specularTint", 0.5}},
@@ -57,7 +59,8 @@ std::vector<Values> variantsOf(const std::string& name) {
   if (name == "roughconductor") return {{{"alpha", 0.4}}};
   if (name == "microfacet_dielectric") return {{{"alpha", 0.4}}, {{"intIOR", 0.8}, {"alpha", 0.2}}};
   if (name == "phong") return {{{"shininess", 40.0}}};
-  if (name == "roughsubstrate") return {{{"alpha", 0.4}}};
+  // A coat that reflects most.
+  if (name == "roughsubstrate") return {{{"alpha", 0.4}}, {{"alpha", 0.4}, {"intIOR", 20.0}}};
   return {};
 }
 

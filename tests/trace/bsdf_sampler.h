@@ -18,8 +18,8 @@ struct BsdfQuestion {
   float pad = 0.0F;
 };
 
-/// What the device says: the drawn direction and its density, the sample's weight, and the value for
-/// wi and wo.
+/// What the device says: the drawn direction and its density, the sample's weight, and the value
+/// for wi and wo.
 struct BsdfAnswer {
   glm::vec3 wo;
   float pdf;

@@ -1,4 +1,6 @@
 // The BSDFs' twins in double precision: densities, energy, reciprocity.
+#include "scene/bsdfs.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,7 +9,6 @@
 
 #include "reference/bsdf.h"
 #include "reference/facets.h"
-#include "scene/bsdfs.h"
 #include "support/bsdf_cases.h"
 
 namespace laver::test {

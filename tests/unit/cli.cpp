@@ -78,8 +78,10 @@ TEST(Cli, NoGuiWinsInAnyOrder) {
 
 TEST(Cli, ErrorsSayWhatWasExpected) {
   EXPECT_EQ(errorOf(""), "no scene given; see laver --help");
-  EXPECT_EQ(errorOf("a.xml --size 12x"), "--size: expected WIDTHxHEIGHT, both above 0, not \"12x\"");
-  EXPECT_EQ(errorOf("a.xml --size 1x2x3"), "--size: expected WIDTHxHEIGHT, both above 0, not \"1x2x3\"");
+  EXPECT_EQ(errorOf("a.xml --size 12x"),
+            "--size: expected WIDTHxHEIGHT, both above 0, not \"12x\"");
+  EXPECT_EQ(errorOf("a.xml --size 1x2x3"),
+            "--size: expected WIDTHxHEIGHT, both above 0, not \"1x2x3\"");
   EXPECT_EQ(errorOf("a.xml --crop 1,2,3"), "--crop: expected x0,y0,x1,y1, not \"1,2,3\"");
   EXPECT_EQ(errorOf("a.xml --sampler halton"),
             "--sampler: expected independent, stratified or sobol, not \"halton\"");
