@@ -13,12 +13,17 @@
 namespace laver {
 namespace {
 
+/// A primitive's box, grown by what its own size adds to the error of tests (shared/box.h).
 BuildItem itemOf(const shared::Triangle& t, std::uint32_t number) {
+  glm::vec3 lo = glm::min(glm::min(t.a, t.b), t.c), hi = glm::max(glm::max(t.a, t.b), t.c);
   if (t.flipped == shared::IS_SPHERE) {
     const glm::vec3 reach(t.b.x * shared::SPHERE_GROWTH);
-    return {t.a - reach, t.a + reach, number};
+    lo = t.a - reach;
+    hi = t.a + reach;
   }
-  return {glm::min(glm::min(t.a, t.b), t.c), glm::max(glm::max(t.a, t.b), t.c), number};
+  const glm::vec3 largest = glm::max(glm::abs(lo), glm::abs(hi));
+  const glm::vec3 pad(shared::BOX_GROWTH * std::max({largest.x, largest.y, largest.z}));
+  return {lo - pad, hi + pad, number};
 }
 
 }  // namespace

@@ -45,6 +45,9 @@ void traceConstants(const TraceKey& key, Text& text) {
   text.flag("HAS_MATERIALS", key.materials);
   text.flag("HAS_SPHERES", key.spheres);
   text.flag("BOUNCES", key.bounces);
+  text.flag("HAS_CAPS", key.caps);
+  text.flag("HAS_FAR_PARTS", key.farParts);
+  text.flag("FAR_CAMERA", key.farCamera);
   text.flag("HAS_LIGHTS", key.lights);
   text.flag("MANY_LIGHTS", key.manyLights);
   text.flag("HAS_EMISSION", key.emission);

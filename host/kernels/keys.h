@@ -63,6 +63,9 @@ struct TraceKey {
   bool materials = false;        ///< the meshes differ in their materials
   bool bsdfRecords = false;      ///< materials' records hold more than an albedo
   bool spheres = false;          ///< some mesh is a sphere
+  bool caps = false;             ///< some sphere is given by its nearest point (shared/cap.h)
+  bool farParts = false;         ///< parts of the scene are far from the centre of coordinates
+  bool farCamera = false;        ///< camera rays start on a plane before the scene
   bool lights = false;           ///< point lights affect the result
   bool manyLights = false;       ///< the lights of a pass take several dispatches
   bool lockstep = false;         ///< the 8 lanes of a subgroup leave loops over bounces together

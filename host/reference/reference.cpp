@@ -1,10 +1,13 @@
 #include "reference/reference.h"
 
+#include <algorithm>
+
 #include "core/error.h"
 #include "core/parallel.h"
 #include "reference/camera.h"
 #include "reference/film.h"
 #include "reference/integrators.h"
+#include "reference/openness.h"
 #include "reference/sampler.h"
 #include "reference/world.h"
 
@@ -52,6 +55,22 @@ std::optional<Reference::Hit> Reference::closest(glm::dvec2 film) const {
     result.v = weights[2];
   }
   return result;
+}
+
+double Reference::blockerDistance(glm::dvec2 film) const {
+  const reference::CameraRay camera = impl_->view.through(film);
+  const auto hit = impl_->world.closest(camera.ray, camera.tmin, camera.tmax);
+  if (!hit) return 0.0;
+  const reference::Surface surface = impl_->world.surface(*hit);
+  double farthest = 0.0;
+  for (const PointLight& light : impl_->world.lights()) {
+    const glm::dvec3 direction = light.position - surface.position;
+    const glm::dvec3 from = reference::offsetOrigin(surface, direction);
+    if (!impl_->world.blocked(from, light.position)) continue;
+    const auto blocker = impl_->world.closest({from, light.position - from}, 0.0, 1.0);
+    if (blocker) farthest = std::max(farthest, blocker->t * glm::length(light.position - from));
+  }
+  return farthest;
 }
 
 glm::vec2 Reference::samplePosition(int x, int y, std::uint32_t sample) const {

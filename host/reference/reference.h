@@ -41,6 +41,10 @@ class Reference {
   /// with the smallest number wins, whatever the order of its corners.
   std::optional<Hit> closest(glm::dvec2 film) const;
 
+  /// Distance from the hit of the ray through `film` to the first blocker towards a light: the
+  /// largest of all lights, 0 where none is blocked.
+  double blockerDistance(glm::dvec2 film) const;
+
   /// The film position of a sample of a pixel, as the scene's sampler generates it.
   glm::vec2 samplePosition(int x, int y, std::uint32_t sample) const;
   /// The sample's other random numbers, for radiance().

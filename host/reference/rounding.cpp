@@ -17,10 +17,14 @@ constexpr double kSlopes = 2.5;    // part 1
 constexpr double kFarthest = 5.0;  // part 2, of F
 constexpr double kShadow = 58.0;   // parts 3 and 4, of R
 
-double reachOf(const Camera& camera, const Normalisation& space) {
+double originOf(const Camera& camera, const Normalisation& space) {
   const glm::dmat4& m = camera.toWorld;
-  const dvec3 origin = space.apply(dvec3(m[3]) / m[3].w);
-  return (glm::length(origin) + std::numbers::sqrt3) / space.scale;
+  const dvec3 eye = dvec3(m[3]) / m[3].w;
+  const double middle = glm::length(eye + dvec3(m[2]) * space.start - space.centre);
+  const double slope = std::tan(camera.fov * std::numbers::pi / 360.0);
+  const double side = glm::length(m[0]) * slope;
+  const double up = glm::length(m[1]) * slope * camera.height / camera.width;
+  return middle + space.start * (side + up);
 }
 
 }  // namespace
@@ -28,7 +32,17 @@ double reachOf(const Camera& camera, const Normalisation& space) {
 Rounding::Rounding(const Scene& scene)
     : camera_(scene.camera),
       view_(scene.camera, dvec3(0.0)),
-      reach_(reachOf(scene.camera, normalisationOf(scene))) {}
+      space_(normalisationOf(scene)),
+      start_(space_.start * glm::length(dvec3(scene.camera.toWorld[2]))),
+      origin_(originOf(scene.camera, space_)),
+      reach_(origin_ + (space_.wide() ? 0.5 * space_.reach : std::numbers::sqrt3) / space_.scale) {}
+
+// Of what is seen at a distance from the camera.
+double Rounding::reachAt(double distance) const {
+  if (!space_.wide()) return reach_;
+  const double fromCentre = std::abs(distance - start_) + 2.0 * origin_;
+  return std::min(reach_, origin_ + kPieceReach * std::max(fromCentre, space_.unit));
+}
 
 double Rounding::rotationOf(dvec2 film) const {
   const dvec2 size(camera_.width, camera_.height);
@@ -53,17 +67,21 @@ double Rounding::pixelsPerRadian(dvec2 film) const {
   return 1.0 / std::sqrt(0.5 * (xx + yy - std::hypot(xx - yy, 2.0 * xy)));
 }
 
-double Rounding::sideways(dvec2 film, double distance, double farthest) const {
-  return e * (rotationOf(film) * distance + reach_ + kFarthest * farthest);
+double Rounding::sideways(dvec2 film, double distance, double farthest, double corner) const {
+  return e * (rotationOf(film) * (distance - start_) + startError() + origin_ + corner +
+              kFarthest * farthest);
 }
 
 double Rounding::ofHit(dvec2 film, double distance) const {
-  return e * (rotationOf(film) + (1.0 + kFarthest) * reach_ / distance) * pixelsPerRadian(film);
+  return e *
+         (rotationOf(film) * (1.0 - start_ / distance) +
+          (startError() + (1.0 + kFarthest) * reachAt(distance)) / distance) *
+         pixelsPerRadian(film);
 }
 
-double Rounding::ofShading(dvec2 film, double distance) const {
-  return e * (rotationOf(film) + (1.0 + kFarthest + kShadow) * reach_ / distance) *
-         pixelsPerRadian(film);
+double Rounding::ofShading(dvec2 film, double distance, double blocker) const {
+  const double shadow = std::max(reachAt(distance), reachAt(distance + blocker));
+  return ofHit(film, distance) + e * kShadow * shadow / distance * pixelsPerRadian(film);
 }
 
 double Rounding::ofBackground(dvec2 film) const {

@@ -53,7 +53,12 @@ class BoxTest {
 
 }  // namespace
 
-Tree::Tree(std::vector<Triangle> triangles, unsigned threads) : triangles_(std::move(triangles)) {
+// Relative difference of t below which the order of two crossings may not be that of double
+// precision.
+constexpr double kNearTie = 0x1p-24;
+
+Tree::Tree(std::vector<Triangle> triangles, unsigned threads, Originals originals)
+    : triangles_(std::move(triangles)), originals_(std::move(originals)) {
   if (triangles_.size() >= 1u << 31) {
     throw Error(ExitCode::Scene, "the reference renderer takes fewer than 2147483648 triangles");
   }
@@ -105,6 +110,36 @@ std::optional<TreeHit> Tree::closestAhead(const Ray& ray) const {
   return nearest(ray, 0.0, std::numeric_limits<double>::infinity(), hitAhead);
 }
 
+// crossing() is off sideways by less than 2^-47 of the magnitude of coordinates, and along the ray
+// by that over the cosine. Where a cosine is below 2^-20 or not a number, the plane is seen edge-on
+// and double precision decides: its exact depth may lie far outside of the triangle.
+bool Tree::nearer(const Ray& ray, const TreeHit& one, const TreeHit& other) const {
+  const bool sooner = one.t != other.t ? one.t < other.t : one.triangle->id < other.triangle->id;
+  const double apart = std::abs(one.t - other.t);
+  if (apart > kNearTie * std::max(std::abs(one.t), std::abs(other.t))) return sooner;
+  double size = 0.0, cosine = 1.0;
+  const glm::dvec3 direction = glm::normalize(ray.direction);
+  for (const Triangle* triangle : {one.triangle, other.triangle}) {
+    for (const glm::dvec3& p : triangle->corner) {
+      const glm::dvec3 sum = glm::abs(p) + glm::abs(ray.origin);
+      size = std::max({size, sum.x, sum.y, sum.z});
+    }
+    const glm::dvec3 normal = glm::normalize(glm::dvec3(triangle->normal()));
+    const double c = std::abs(glm::dot(normal, direction));
+    if (!(c >= 0x1p-20)) return sooner;
+    cosine = std::min(cosine, c);
+  }
+  const double doubt = 0x1p-45 * size / (glm::length(ray.direction) * cosine);
+  if (apart > doubt) return sooner;
+  const auto corners = [&](const TreeHit& hit) {
+    return originals_.corners ? originals_.corners(hit.triangle->id) : hit.triangle->corner;
+  };
+  const Corners a = corners(one), b = corners(other);
+  const int order =
+      a == b ? 0 : compareDepths({originals_.centre, ray.origin, ray.direction}, a, b);
+  return order != 0 ? order < 0 : one.triangle->id < other.triangle->id;
+}
+
 template <typename Test>
 std::optional<TreeHit> Tree::nearest(const Ray& ray, double tmin, double tmax,
                                      const Test& test) const {
@@ -113,9 +148,11 @@ std::optional<TreeHit> Tree::nearest(const Ray& ray, double tmin, double tmax,
   walk(ray, tmin, tmax, [&](const Triangle& triangle, double& end) {
     const std::optional<Crossing> found = test(triangle, shear);
     if (!found || !(found->t >= tmin && found->t <= end)) return true;
-    if (best && found->t == best->t && triangle.id > best->triangle->id) return true;
-    best = TreeHit{&triangle, found->t, found->weights};
-    end = found->t;
+    const TreeHit hit{&triangle, found->t, found->weights};
+    if (best && !nearer(ray, hit, *best)) return true;
+    best = hit;
+    // Triangles that exact arithmetic may put before it must still be visited.
+    end = std::min(tmax, found->t + kNearTie * std::abs(found->t));
     return true;
   });
   if (best) best->t = planeT(*best->triangle, ray, best->t);

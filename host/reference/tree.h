@@ -1,8 +1,11 @@
 #pragma once
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include "reference/build.h"
+#include "reference/exact_depth.h"
 #include "reference/triangle.h"
 
 namespace laver::reference {
@@ -14,11 +17,20 @@ struct TreeHit {
   Weights weights;  ///< of the triangle's sorted corners
 };
 
-/// A tree over triangles, whose answers equal those of a loop over all triangles.
+/// The triangles of a tree before they were rounded: the corners of the one with a number, and the
+/// origin of the tree's coordinates.
+struct Originals {
+  std::function<Corners(std::uint32_t id)> corners;
+  glm::dvec3 centre{0.0};
+};
+
+/// A tree over triangles, whose answers equal those of a loop over all triangles. Which of two
+/// triangles is nearer is decided in exact arithmetic where double precision cannot.
 class Tree {
  public:
-  /// `threads` host threads, 0: all. Throws Error(Scene) for 2^31 triangles or more.
-  explicit Tree(std::vector<Triangle> triangles, unsigned threads = 0);
+  /// `threads` host threads, 0: all. Throws Error(Scene) for 2^31 triangles or more. Without
+  /// `originals` the triangles are exact.
+  explicit Tree(std::vector<Triangle> triangles, unsigned threads = 0, Originals originals = {});
 
   /// The hit with the smallest t in [tmin, tmax]; of equal ones that with the smallest id.
   std::optional<TreeHit> closest(const Ray& ray, double tmin, double tmax) const;
@@ -32,6 +44,7 @@ class Tree {
   bool blocked(const glm::dvec3& from, const glm::dvec3& to) const;
 
  private:
+  bool nearer(const Ray& ray, const TreeHit& one, const TreeHit& other) const;
   template <typename Test>
   std::optional<TreeHit> nearest(const Ray& ray, double tmin, double tmax, const Test& test) const;
   template <typename Visit>
@@ -39,6 +52,7 @@ class Tree {
 
   std::vector<Triangle> triangles_;
   std::vector<Node> nodes_;
+  Originals originals_;
 };
 
 }  // namespace laver::reference

@@ -22,6 +22,14 @@ Box boxOf(const Scene& scene) {
   return box.lo.x <= box.hi.x ? box : Box{glm::dvec3(0.0), glm::dvec3(0.0)};
 }
 
+/// The box's own centre if the camera is nowhere.
+glm::dvec3 nearestToCamera(const Box& box, const Camera& camera) {
+  const glm::dvec4 origin = camera.toWorld[3];
+  const glm::dvec3 eye = glm::dvec3(origin) / origin.w;
+  if (!std::isfinite(eye.x + eye.y + eye.z)) return 0.5 * box.lo + 0.5 * box.hi;
+  return glm::clamp(eye, box.lo, box.hi);
+}
+
 glm::dvec3 unit(const LongVec& vector) {
   return glm::dvec3(vector / std::sqrt(glm::dot(vector, vector)));
 }
@@ -33,7 +41,11 @@ bool finite(const LongVec& v) {
 }  // namespace
 
 World::World(const Scene& scene, unsigned threads)
-    : scene_(&scene), box_(boxOf(scene)), lights_(scene.lights), tree_(gather(), threads) {
+    : scene_(&scene),
+      box_(boxOf(scene)),
+      centre_(nearestToCamera(box_, scene.camera)),
+      lights_(scene.lights),
+      tree_(gather(), threads, originals()) {
   for (PointLight& light : lights_) light.position -= centre();
   std::uint64_t count = 0;
   for (const Mesh& mesh : scene.meshes) {
@@ -57,6 +69,17 @@ std::vector<Triangle> World::gather() const {
     }
   }
   return triangles;
+}
+
+/// first_ is there once rays are traced.
+Originals World::originals() const {
+  return {[this](std::uint32_t id) {
+            const std::size_t index = meshOf(id);
+            const Mesh& mesh = scene_->meshes[index];
+            const glm::uvec3& t = mesh.triangles[id - first_[index]];
+            return Corners{mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]};
+          },
+          centre()};
 }
 
 std::size_t World::meshOf(std::uint32_t id) const {

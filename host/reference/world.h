@@ -33,14 +33,17 @@ struct WorldHit {
 };
 
 /// A scene's primitives, numbered in file order over all meshes: triangles in a tree, spheres,
-/// which are few, in a list. Coordinates are relative to the centre of the meshes' box, which
-/// preserves digits in scenes far from the origin.
+/// which are few, in a list. Coordinates are relative to the point of the meshes' box that is
+/// nearest to the camera, which preserves digits where they show: distant parts of the scene cost
+/// nearby ones no accuracy.
 class World {
  public:
   /// The scene must outlive this object. `threads` host threads, 0: all.
   World(const Scene& scene, unsigned threads);
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
 
-  glm::dvec3 centre() const { return 0.5 * box_.lo + 0.5 * box_.hi; }
+  glm::dvec3 centre() const { return centre_; }
   /// The scene's point lights, relative to the centre.
   const std::vector<PointLight>& lights() const { return lights_; }
   double diagonal() const { return glm::length(box_.hi - box_.lo); }
@@ -60,6 +63,7 @@ class World {
   std::uint64_t firstOf(std::size_t mesh) const { return first_[mesh]; }
 
  private:
+  Originals originals() const;
   std::optional<WorldHit> nearest(const std::optional<TreeHit>& triangle, const Ray& ray,
                                   double tmin, double tmax) const;
   Surface surface(const TreeHit& hit) const;
@@ -68,6 +72,7 @@ class World {
   const Scene* scene_;
   std::vector<std::uint64_t> first_;  // number of each mesh's first triangle
   Box box_;
+  glm::dvec3 centre_;
   std::vector<WorldSphere> spheres_;
   std::vector<PointLight> lights_;
   Tree tree_;

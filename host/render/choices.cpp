@@ -16,7 +16,8 @@ namespace laver {
 namespace {
 
 /// A stack never holds more entries than there are primitives.
-std::uint32_t likelyStack(const Scene& scene) {
+std::uint32_t likelyStack(const Scene& scene, const Normalisation& space) {
+  if (space.wide()) return kLikelyStack;
   return static_cast<std::uint32_t>(
       std::clamp<std::uint64_t>((primitivesOf(scene) + 7) / 8 * 8, 8, kLikelyStack));
 }
@@ -93,17 +94,21 @@ KernelProperty constantOf(const NamedValue& property) {
           fmt::format("vec3({}, {}, {})", number(v.x), number(v.y), number(v.z))};
 }
 
-TraceKey keyOf(const Scene& scene, const RenderOptions& options, const IntegratorUse& integrator) {
+TraceKey keyOf(const Scene& scene, const Normalisation& space, const RenderOptions& options,
+               const IntegratorUse& integrator) {
   const IntegratorRow& row = *integrator.row;
   const bool surfaces = !row.litOnly || !scene.lights.empty();
   TraceKey key;
   key.integrator = row.name;
   key.camera = scene.camera.row->name;
   key.sampler = scene.sampler.row->name;
-  key.stack = likelyStack(scene);
+  key.stack = likelyStack(scene, space);
   if (scene.sampler.row->stream) key.jumpLevels = jumpLevels(scene.sampler.sampleCount);
   key.hits = surfaces || (row.needs.background && scene.environment);
   key.spheres = key.hits && hasSpheres(scene);
+  key.caps = key.hits && hasCaps(scene, space);
+  key.farParts = space.wide();
+  key.farCamera = space.start > 0.0;
   key.normals = surfaces && row.needs.normals &&
                 std::any_of(scene.meshes.begin(), scene.meshes.end(),
                             [](const Mesh& m) { return !m.normals.empty(); });
@@ -126,10 +131,11 @@ bool blackMiss(const Scene& scene, const IntegratorRow& row) {
   return row.miss == Miss::Black || (row.miss == Miss::Background && !scene.environment);
 }
 
-std::vector<PictureChoice> picturesOf(const Scene& scene, const RenderOptions& options) {
+std::vector<PictureChoice> picturesOf(const Scene& scene, const Normalisation& space,
+                                      const RenderOptions& options) {
   std::vector<PictureChoice> pictures;
   const auto add = [&](const IntegratorUse& integrator, std::vector<std::string> channels) {
-    pictures.push_back({std::move(channels), keyOf(scene, options, integrator), false,
+    pictures.push_back({std::move(channels), keyOf(scene, space, options, integrator), false,
                         blackMiss(scene, *integrator.row), integrator});
   };
   add(scene.integrator, {"R", "G", "B"});
@@ -149,9 +155,10 @@ std::vector<PictureChoice> picturesOf(const Scene& scene, const RenderOptions& o
 }
 
 /// Everything that any of the pictures reads.
-Uploads uploadsOf(const Scene& scene, const std::vector<PictureChoice>& pictures,
-                  const RenderOptions& options) {
+Uploads uploadsOf(const Scene& scene, const Normalisation& space,
+                  const std::vector<PictureChoice>& pictures, const RenderOptions& options) {
   Uploads uploads;
+  uploads.space = space;
   uploads.primitives = false;
   for (const PictureChoice& picture : pictures) {
     const TraceKey& key = picture.key;
@@ -169,7 +176,8 @@ Uploads uploadsOf(const Scene& scene, const std::vector<PictureChoice>& pictures
   uploads.bsdfs = bsdfsOf(scene);
   uploads.textureKinds = texturesOf(scene);
   uploads.noriTable = options.noriCompat;
-  uploads.indexBytes = indexBytesOf(scene, uploads.normals);
+  // Split meshes have more normals.
+  uploads.indexBytes = space.wide() ? 4 : indexBytesOf(scene, uploads.normals);
   return uploads;
 }
 
@@ -194,7 +202,8 @@ std::uint32_t indexBytesOf(const Scene& scene, bool normals) {
 }
 
 Uploads uploadsOf(const Scene& scene, const RenderOptions& options) {
-  return uploadsOf(scene, picturesOf(scene, options), options);
+  const Normalisation space = normalisationOf(scene);
+  return uploadsOf(scene, space, picturesOf(scene, space, options), options);
 }
 
 Choices choose(const Scene& scene, const RenderOptions& options, const VulkanOptions& vulkan,
@@ -205,13 +214,14 @@ Choices choose(const Scene& scene, const RenderOptions& options, const VulkanOpt
   if (scene.integrator.row->bounces || (chosen && scene.camera.row->lens))
     traversal = {Traversal::Lane, "its rays share neither origin nor direction"};
   choices.traversal = traversal.traversal;
-  choices.pictures = picturesOf(scene, options);
+  const Normalisation space = normalisationOf(scene);
+  choices.pictures = picturesOf(scene, space, options);
   for (PictureChoice& picture : choices.pictures) {
     picture.key.traversal = picture.integrator.row->bounces ? Traversal::Lane : choices.traversal;
     picture.key.lockstep = picture.key.bounces && runsPackets(device);
     if (vulkan.wholeFilm) picture.blackMiss = false;
   }
-  choices.uploads = uploadsOf(scene, choices.pictures, options);
+  choices.uploads = uploadsOf(scene, space, choices.pictures, options);
   choices.gather.filter = filterText(scene.filter, options.noriCompat);
   choices.gather.apron = apronOf(scene.filter.radius);
   choices.gather.adaptive = options.error > 0.0;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "kernels/keys.h"
+#include "render/space.h"
 #include "render/tiling.h"
 #include "vulkan/device_info.h"
 
@@ -35,6 +36,7 @@ struct PictureChoice {
 
 /// The parts of the scene that are uploaded, for all its pictures together.
 struct Uploads {
+  Normalisation space;      ///< device coordinates
   bool primitives = true;   ///< primitives and their tree
   bool attributes = false;  ///< material and normal indices of triangles
   bool normals = false;     ///< vertex normals

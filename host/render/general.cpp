@@ -10,9 +10,9 @@ namespace laver {
 // Not the BSDFs: compilers round one differently beside others, though alike in every traversal.
 const std::vector<std::string>& generalParts() {
   static const std::vector<std::string> parts = {
-      "stack",       "normals",     "materials", "bsdf records", "lights",
-      "many lights", "jump levels", "apron",     "strips",       "textures",
-      "images",      "background",  "hits",      "index bytes",  "spheres"};
+      "stack",       "normals",     "materials", "bsdf records", "lights",    "many lights",
+      "jump levels", "apron",       "strips",    "textures",     "images",    "background",
+      "hits",        "index bytes", "spheres",   "caps",         "far parts", "far camera"};
   return parts;
 }
 
@@ -42,6 +42,9 @@ void generaliseKey(TraceKey& key, const std::string& part, bool stream) {
   if (part == "background") key.background = "environment";
   if (part == "hits") key.hits = true;
   if (part == "spheres") key.spheres = true;
+  if (part == "caps") key.caps = true;
+  if (part == "far parts") key.farParts = true;
+  if (part == "far camera") key.farCamera = true;
 }
 
 }  // namespace

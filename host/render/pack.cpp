@@ -16,9 +16,6 @@ namespace {
 using glm::dvec3;
 using glm::vec3;
 
-/// Largest e with 2^e <= x, for finite x > 0.
-int floorLog2(double x) { return std::ilogb(x); }
-
 /// Packs the primitives of the meshes in file order, with one attribute entry each.
 class MeshPacker {
  public:
@@ -31,6 +28,13 @@ class MeshPacker {
     for (const Mesh& mesh : scene_.meshes) add(mesh);
     return std::move(triangles_);
   }
+
+  /// Those that stand outside of the tree, and their attributes.
+  const std::vector<shared::Triangle>& caps() const { return caps_; }
+  const std::vector<shared::Attributes>& capAttributes() const { return capAttributes_; }
+  /// Triangles of light sources whose meshes were split: light sampling draws from the whole ones.
+  const std::vector<shared::Triangle>& wholes() const { return wholes_; }
+  const std::vector<shared::Attributes>& wholeAttributes() const { return wholeAttributes_; }
 
   /// In file order, without the primitives that collapsed.
   const std::vector<shared::Attributes>& attributes() const { return attributes_; }
@@ -53,6 +57,7 @@ class MeshPacker {
     const std::uint32_t id = nextId_++;
     // As for a triangle without coordinates, the kernels use u and v as weights (sphere.h).
     if (uploads_.textures) textures_.addTriangle(mesh, {0, 1, 2}, {0, 1, 2});
+    if (isCap(*mesh.sphere, packed_.space)) return addCap(*mesh.sphere, id, material);
     const auto radius = static_cast<float>(mesh.sphere->radius * packed_.space.scale);
     // Radii below 2^-100 are out of the range of scaleToUnit() in sphere.h.
     if (radius < 0x1p-100F) {
@@ -64,8 +69,32 @@ class MeshPacker {
     attributes_.push_back({material, shared::NO_NORMAL, shared::NO_NORMAL, shared::NO_NORMAL});
   }
 
+  /// (r - d) along the direction from the centre, of length d: no large numbers are subtracted but
+  /// these two.
+  void addCap(const Sphere& sphere, std::uint32_t id, std::uint32_t material) {
+    const Normalisation& space = packed_.space;
+    const dvec3 fromCentre = space.centre - sphere.centre;
+    const double distance = glm::length(fromCentre);
+    const dvec3 normal = distance > 0.0 ? fromCentre / distance : dvec3(0.0, 0.0, 1.0);
+    const dvec3 nearest = normal * ((sphere.radius - distance) * space.scale);
+    caps_.push_back({vec3(nearest), id, vec3(normal), 0,
+                     vec3(static_cast<float>(1.0 / (sphere.radius * space.scale)), 0.0F, 0.0F),
+                     shared::IS_CAP});
+    capAttributes_.push_back({material, shared::NO_NORMAL, shared::NO_NORMAL, shared::NO_NORMAL});
+  }
+
   void add(const Mesh& mesh) {
-    if (mesh.sphere) return addSphere(mesh);
+    if (packed_.space.wide()) packed_.splits.push_back(splitMesh(mesh, packed_.space));
+    if (mesh.sphere)
+      addSphere(mesh);
+    else if (packed_.splits.empty() || !packed_.splits.back())
+      addTriangles(mesh, nullptr);
+    else
+      addTriangles(packed_.splits.back()->mesh, &packed_.splits.back()->pieces);
+  }
+
+  /// `pieces`: of a mesh that was split.
+  void addTriangles(const Mesh& mesh, const std::vector<Piece>* pieces) {
     std::vector<vec3> positions(mesh.positions.size());
     std::transform(mesh.positions.begin(), mesh.positions.end(), positions.begin(),
                    [&](const dvec3& p) { return vec3(packed_.space.apply(p)); });
@@ -74,12 +103,17 @@ class MeshPacker {
     if (smooth)
       for (const dvec3& n : mesh.normals) packed_.normals.emplace_back(vec3(n), 0.0F);
     const std::uint32_t material = addMaterial(mesh);
-    for (const glm::uvec3 given : mesh.triangles) {
+    if (pieces != nullptr && mesh.light) addWholes(mesh, *pieces, {material, firstNormal});
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      const glm::uvec3 given = mesh.triangles[i];
       glm::uvec3 t = given;
       const std::uint32_t flipped = sortCorners(t, positions) ? 1 : 0;
       const vec3 a = positions[t.x], b = positions[t.y], c = positions[t.z];
       const std::uint32_t id = nextId_++;
-      if (uploads_.textures) textures_.addTriangle(mesh, given, t);
+      if (uploads_.textures && pieces != nullptr)
+        textures_.addPiece(mesh, (*pieces)[i], t);
+      else if (uploads_.textures)
+        textures_.addTriangle(mesh, given, t);
       // An edge of length 0 has no inside, and its neighbours still meet. Triangles whose corners
       // merely became collinear are kept, since they fill gaps that rounding opens next to them.
       if (a == b || b == c || c == a) {
@@ -89,6 +123,29 @@ class MeshPacker {
       triangles_.push_back({a, id, b, 0, c, flipped});
       const glm::uvec3 n = smooth ? t + firstNormal : glm::uvec3(shared::NO_NORMAL);
       attributes_.push_back({material, n.x, n.y, n.z});
+    }
+  }
+
+  /// What all triangles of a mesh have in common.
+  struct Common {
+    std::uint32_t material, firstNormal;
+  };
+
+  /// The triangles that a mesh had before it was split, with the numbers of their first pieces.
+  void addWholes(const Mesh& split, const std::vector<Piece>& pieces, Common common) {
+    const Mesh& mesh = scene_.meshes[common.material];
+    const bool smooth = uploads_.normals && !mesh.normals.empty();
+    std::vector<vec3> positions(split.positions.size());
+    std::transform(split.positions.begin(), split.positions.end(), positions.begin(),
+                   [&](const dvec3& p) { return vec3(packed_.space.apply(p)); });
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      if (i != 0 && pieces[i].triangle == pieces[i - 1].triangle) continue;
+      glm::uvec3 t = mesh.triangles[pieces[i].triangle];
+      const std::uint32_t flipped = sortCorners(t, positions) ? 1 : 0;
+      wholes_.push_back({positions[t.x], nextId_ + static_cast<std::uint32_t>(i), positions[t.y], 0,
+                         positions[t.z], flipped});
+      const glm::uvec3 n = smooth ? t + common.firstNormal : glm::uvec3(shared::NO_NORMAL);
+      wholeAttributes_.push_back({common.material, n.x, n.y, n.z});
     }
   }
 
@@ -113,6 +170,10 @@ class MeshPacker {
   TexturePacker& textures_;
   std::vector<shared::Triangle> triangles_;
   std::vector<shared::Attributes> attributes_;
+  std::vector<shared::Triangle> caps_;
+  std::vector<shared::Attributes> capAttributes_;
+  std::vector<shared::Triangle> wholes_;
+  std::vector<shared::Attributes> wholeAttributes_;
   std::uint32_t nextId_ = 0, meshes_ = 0;
 };
 
@@ -188,47 +249,14 @@ std::array<glm::vec4, 2> propertiesOf(const IntegratorUse& integrator, const Pac
     double value = integrator.real(property.name);
     if (unit == kDiagonals) value *= packed.diagonal;
     const bool length = unit == kSceneUnits || unit == kDiagonals;
-    add(length ? std::clamp(value * scale, 0x1p-100, double{shared::SCENE_REACH}) : value);
+    add(length ? std::clamp(value * scale, 0x1p-100, packed.space.reach) : value);
   }
   return values;
 }
 
-Bounds boundsOf(const Scene& scene) {
-  dvec3 lo(std::numeric_limits<double>::infinity()), hi(-lo);
-  for (const Mesh& mesh : scene.meshes) {
-    if (mesh.sphere) {
-      lo = glm::min(lo, mesh.sphere->centre - mesh.sphere->radius);
-      hi = glm::max(hi, mesh.sphere->centre + mesh.sphere->radius);
-    }
-    for (const glm::uvec3& t : mesh.triangles)
-      for (int corner = 0; corner < 3; ++corner) {
-        lo = glm::min(lo, mesh.positions[t[corner]]);
-        hi = glm::max(hi, mesh.positions[t[corner]]);
-      }
-  }
-  return {lo, hi};
-}
-
-double diagonalOf(const Bounds& bounds) {
-  return bounds.lo.x > bounds.hi.x ? 0.0 : glm::length(bounds.hi - bounds.lo);
-}
-
-Normalisation normalisationOf(const Scene& scene) {
-  const auto [lo, hi] = boundsOf(scene);
-  if (lo.x > hi.x) return {};
-  Normalisation space;
-  space.centre = lo * 0.5 + hi * 0.5;
-  const dvec3 half = hi * 0.5 - lo * 0.5;
-  const double largest = std::max({half.x, half.y, half.z});
-  // Half-width in (1/2, 1) for any scene of a representable size.
-  if (largest > 0.0)
-    space.scale = std::ldexp(1.0, std::clamp(-1 - floorLog2(largest), -1000, 1000));
-  return space;
-}
-
 Packed pack(const Scene& scene, const RenderOptions& options, const Uploads& uploads) {
   Packed packed;
-  packed.space = normalisationOf(scene);
+  packed.space = uploads.space;
   packed.diagonal = diagonalOf(boundsOf(scene));
   TexturePacker textures(packed, uploads.textureKinds);
   MeshPacker meshes(scene, uploads, packed, textures);
@@ -239,8 +267,21 @@ Packed pack(const Scene& scene, const RenderOptions& options, const Uploads& upl
   packed.buildSeconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   packed.attributeFormat = attributeFormat(uploads);
-  if (uploads.attributes)
-    packAttributes(inLeafOrder(meshes.attributes(), triangles, packed.bvh), uploads, packed);
+  std::vector<shared::Attributes> attributes;
+  if (uploads.attributes) attributes = inLeafOrder(meshes.attributes(), triangles, packed.bvh);
+  packed.params.firstCap = static_cast<std::uint32_t>(packed.bvh.triangles.size());
+  packed.params.capCount = static_cast<std::uint32_t>(meshes.caps().size());
+  packed.triangles += packed.params.capCount;
+  const auto append = [](auto& all, const auto& more) {
+    all.insert(all.end(), more.begin(), more.end());
+  };
+  append(packed.bvh.triangles, meshes.caps());
+  append(packed.bvh.triangles, meshes.wholes());
+  if (uploads.attributes) {
+    append(attributes, meshes.capAttributes());
+    append(attributes, meshes.wholeAttributes());
+    packAttributes(attributes, uploads, packed);
+  }
   if (uploads.lights)
     for (const PointLight& light : scene.lights)
       packed.lights.push_back(lightData(light, packed.space));

@@ -24,7 +24,12 @@ void packCamera(const Camera& camera, Packed& packed) {
   // the distance along the camera's axis, in which the clip planes are given.
   const double pixel = std::tan(camera.fov * std::numbers::pi / 360.0) / camera.width;
   shared::Params& p = packed.params;
-  p.origin = vec3(packed.space.apply(origin));
+  // Where rays start, at z = start of camera space.
+  const double start = packed.space.start;
+  packed.eye = packed.space.apply(origin);
+  p.origin = vec3(packed.space.apply(origin + dvec3(m[2]) * start));
+  p.startX = vec3(dvec3(m[0]) * (start * pixel * packed.space.scale));
+  p.startY = vec3(dvec3(m[1]) * (start * pixel * packed.space.scale));
   p.columnX = vec3(dvec3(m[0]) * (kappa * pixel));
   p.columnY = vec3(dvec3(m[1]) * (kappa * pixel));
   p.columnZ = vec3(dvec3(m[2]) * kappa);
@@ -32,12 +37,15 @@ void packCamera(const Camera& camera, Packed& packed) {
   const auto clip = [&](double z) {
     return static_cast<float>(std::clamp(z * scale, 0.0, static_cast<double>(shared::FAR_AWAY)));
   };
-  p.tmin = clip(camera.nearClip);
-  p.tmax = clip(camera.farClip);
+  p.startT = clip(start);
+  p.tmin = clip(camera.nearClip - start);
+  p.tmax = clip(camera.farClip - start);
   const double lens = camera.lensRadius * packed.space.scale / m[3].w;
   p.lensX = vec3(dvec3(m[0]) * lens);
   p.lensY = vec3(dvec3(m[1]) * lens);
   p.lensToDirection = static_cast<float>(m[3].w / (scale * camera.focalDistance));
+  p.lensAtStart = static_cast<float>(1.0 - start * m[3].w / camera.focalDistance);
+  p.sceneReach = static_cast<float>(packed.space.reach);
   p.sceneUnits = static_cast<float>(1.0 / packed.space.scale);
   p.filmSize = {static_cast<std::uint32_t>(camera.width),
                 static_cast<std::uint32_t>(camera.height)};

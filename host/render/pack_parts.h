@@ -19,8 +19,7 @@ void packSampler(const Scene& scene, std::uint32_t jumpLevels, Packed& packed);
 void packSeed(std::int64_t seed, shared::Params& params);
 
 /// The integrator's properties, in the order of its row: a number is one component, a triple three.
-/// Points and lengths are converted to normalised space, whose points are less than 4 apart, and
-/// lengths clamped to [2^-100, 4].
+/// Points and lengths are converted to normalised space, and lengths clamped to [2^-100, reach].
 std::array<glm::vec4, 2> propertiesOf(const IntegratorUse& integrator, const Packed& packed);
 
 /// What meshes emit, and the light sources of light sampling; tree, space and lights must be there.

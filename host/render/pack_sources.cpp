@@ -25,6 +25,8 @@ struct Weighed {
 double luminance(const dvec3& rgb) { return glm::dot(rgb, dvec3(0.2126, 0.7152, 0.0722)); }
 
 double areaOf(const shared::Triangle& t) {
+  if (t.flipped == shared::IS_CAP)
+    return 4.0 * std::numbers::pi / (static_cast<double>(t.c.x) * static_cast<double>(t.c.x));
   if (t.flipped == shared::IS_SPHERE) return 4.0 * std::numbers::pi * double{t.b.x} * double{t.b.x};
   return 0.5 * glm::length(glm::cross(dvec3(t.b) - dvec3(t.a), dvec3(t.c) - dvec3(t.a)));
 }
@@ -59,23 +61,29 @@ void addBackground(const Scene& scene, Packed& packed, std::vector<Weighed>& all
 }
 
 /// The mesh that each slot's primitive belongs to.
-std::vector<std::uint32_t> meshesOf(const Scene& scene, const Bvh& bvh) {
+std::vector<std::uint32_t> meshesOf(const Scene& scene, const Packed& packed) {
   std::vector<std::uint64_t> ends;
   std::uint64_t count = 0;
-  for (const Mesh& mesh : scene.meshes) ends.push_back(count += mesh.primitives());
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i)
+    ends.push_back(count += packed.isSplit(i) ? packed.splits[i]->pieces.size()
+                                              : scene.meshes[i].primitives());
   std::vector<std::uint32_t> meshes;
-  for (const shared::Triangle& t : bvh.triangles)
+  for (const shared::Triangle& t : packed.bvh.triangles)
     meshes.push_back(static_cast<std::uint32_t>(
         std::upper_bound(ends.begin(), ends.end(), std::uint64_t{t.id}) - ends.begin()));
   return meshes;
 }
 
-/// Primitives of meshes that emit, in file order.
-std::vector<Weighed> primitives(const Scene& scene, const Bvh& bvh) {
-  const std::vector<std::uint32_t> meshes = meshesOf(scene, bvh);
+/// Primitives of meshes that emit, in file order. Triangles of meshes that were split are sources
+/// as wholes, which stand behind the caps.
+std::vector<Weighed> primitives(const Scene& scene, const Packed& packed) {
+  const Bvh& bvh = packed.bvh;
+  const std::vector<std::uint32_t> meshes = meshesOf(scene, packed);
+  const std::uint32_t wholes = packed.params.firstCap + packed.params.capCount;
   std::vector<std::uint32_t> slots;
   for (std::uint32_t slot = 0; slot < meshes.size(); ++slot)
-    if (scene.meshes[meshes[slot]].light) slots.push_back(slot);
+    if (scene.meshes[meshes[slot]].light && packed.isSplit(meshes[slot]) == (slot >= wholes))
+      slots.push_back(slot);
   std::sort(slots.begin(), slots.end(), [&](std::uint32_t a, std::uint32_t b) {
     return bvh.triangles[a].id < bvh.triangles[b].id;
   });
@@ -123,7 +131,7 @@ void packSources(const Scene& scene, Packed& packed) {
     all.push_back({{shared::SOURCE_POINT, i, 0.0F, 0.0F},
                    4.0 * std::numbers::pi * luminance(dvec3(packed.lights[i].radiance))});
   if (scene.environment) addBackground(scene, packed, all);
-  for (const Weighed& primitive : primitives(scene, packed.bvh)) all.push_back(primitive);
+  for (const Weighed& primitive : primitives(scene, packed)) all.push_back(primitive);
 
   double total = 0.0;
   for (const Weighed& weighed : all) total += weighed.power;

@@ -9,6 +9,27 @@ namespace laver {
 using glm::vec2;
 using glm::vec3;
 
+namespace {
+
+/// What texture coordinates may leave out: as many whole periods as fit into `uv`, if all textures
+/// of the mesh repeat and have one scale. Otherwise 0.
+glm::dvec2 wholePeriods(const Mesh& mesh, glm::dvec2 uv) {
+  const Texture* first = nullptr;
+  for (const NamedTexture& named : mesh.bsdf.textures) {
+    if (!shows(named.texture)) continue;
+    if (first == nullptr) first = &named.texture;
+    if (!named.texture.row->repeats || named.texture.scale != first->scale) return glm::dvec2(0.0);
+  }
+  glm::dvec2 whole(0.0);
+  for (int axis = 0; first != nullptr && axis < 2; ++axis) {
+    const double scale = first->scale[axis];
+    if (scale != 0.0) whole[axis] = 2.0 * std::floor(0.5 * uv[axis] * scale) / scale;
+  }
+  return whole;
+}
+
+}  // namespace
+
 void TexturePacker::beginMesh(const Mesh& mesh, std::uint32_t firstId) {
   textured_ = hasTextures(mesh);
   uvs_ = static_cast<std::uint32_t>(packed_.uvs.size() / 3) - firstId;
@@ -36,6 +57,19 @@ void TexturePacker::addTriangle(const Mesh& mesh, glm::uvec3 given, glm::uvec3 s
     packed_.uvs.push_back(!mesh.uvs.empty() ? vec2(mesh.uvs[vertex])
                                             : vec2(vertex == given.y, vertex == given.z));
   }
+}
+
+void TexturePacker::addPiece(const Mesh& mesh, const Piece& piece, glm::uvec3 stored) {
+  if (!textured_) return;
+  glm::dmat3x2 uv;
+  for (int corner = 0; corner < 3; ++corner) {
+    int place = 0;
+    while (piece.corners[place] != stored[corner]) ++place;
+    const glm::dvec3& w = piece.weights[static_cast<std::size_t>(place)];
+    uv[corner] = mesh.uvs.empty() ? glm::dvec2(w.y, w.z) : mesh.uvs[stored[corner]];
+  }
+  const glm::dvec2 whole = wholePeriods(mesh, uv[0]);
+  for (int corner = 0; corner < 3; ++corner) packed_.uvs.push_back(vec2(uv[corner] - whole));
 }
 
 void TexturePacker::packBackground(const Environment& environment) {

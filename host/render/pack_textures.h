@@ -22,6 +22,10 @@ class TexturePacker {
   /// corners of `stored`, which are those of `given` in another order.
   void addTriangle(const Mesh& mesh, glm::uvec3 given, glm::uvec3 stored);
 
+  /// The same of a piece of a mesh that was split. Of textures that repeat, whole periods are left
+  /// out of its coordinates, in double precision.
+  void addPiece(const Mesh& mesh, const Piece& piece, glm::uvec3 stored);
+
   /// Fills the background's part of packed.params.
   void packBackground(const Environment& environment);
 

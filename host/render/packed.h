@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,31 +11,21 @@
 #include "bvh/bvh.h"
 #include "render/choices.h"
 #include "render/options.h"
+#include "render/space.h"
+#include "render/split_meshes.h"
 #include "scene/scene.h"
 #include "shared/layout.h"
 
 namespace laver {
 
-/// Space of the kernels: p' = scale * (p - centre), so that all vertices lie in [-1, 1]^3. The
-/// scale is a power of two. Without meshes the space is that of the scene.
-struct Normalisation {
-  glm::dvec3 centre{0.0};
-  double scale = 1.0;
-  glm::dvec3 apply(glm::dvec3 p) const { return (p - centre) * scale; }
-};
-Normalisation normalisationOf(const Scene& scene);
-
-/// A box of all primitives in the scene's space; lo.x > hi.x where there are none.
-struct Bounds {
-  glm::dvec3 lo, hi;
-};
-Bounds boundsOf(const Scene& scene);
-
 /// A scene in the memory layout of the kernels; empty arrays are not uploaded.
 struct Packed {
   Normalisation space;
+  glm::dvec3 eye{0.0};    ///< the camera, in device coordinates
   double diagonal = 0.0;  ///< of the box of all primitives, in the scene's space
-  Bvh bvh;
+  std::vector<std::optional<SplitMesh>> splits;  ///< of the meshes; empty where none is split
+  bool isSplit(std::size_t mesh) const { return mesh < splits.size() && splits[mesh]; }
+  Bvh bvh;  ///< behind its triangles, outside of the tree, stand caps and whole light sources
   std::vector<std::byte>
       attributes;  ///< shared::Attributes per triangle, in the order of the leaves
   std::vector<glm::vec4> normals;

@@ -183,7 +183,7 @@ class Loop {
       const Stopwatch watch(times_.readBackSeconds);
       const auto film = frame_.filmOf(band);
       if (picture_->centres)
-        resolveCentres(film, band.y0 - core.y0, task_.scene, task_.space, task_.options, image);
+        resolveCentres(film, band.y0 - core.y0, {task_.scene, task_.packed}, task_.options, image);
       else
         resolve(film, band.y0 - core.y0, task_.options.threads, image);
       if (!pilots()) task_.observers.rowsChanged(image, band.y0 - core.y0, band.y1 - core.y0);

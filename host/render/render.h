@@ -12,7 +12,7 @@ struct RenderTask {
   const Scene& scene;
   const RenderOptions& options;
   const Choices& choices;
-  const Normalisation& space;
+  const Packed& packed;
   Observers& observers;
 };
 

@@ -78,7 +78,7 @@ Rendered Renderer::render(const Scene& scene, const RenderOptions& options, Film
   RenderTimes times;
   times.adaptive.error = options.error;
   const Rendered rendered =
-      renderLoop(frame, {scene, options, choices, packed.space, observers}, state, times);
+      renderLoop(frame, {scene, options, choices, packed, observers}, state, times);
   start.vulkan->instance.throwIfInvalid();
   observers.finished(rendered.image);
 

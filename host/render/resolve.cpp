@@ -15,25 +15,35 @@ namespace {
 /// Looks up the scene's primitives by their numbers over all meshes.
 class Triangles {
  public:
-  Triangles(const Scene& scene, const Normalisation& space) : scene_(scene), space_(space) {
+  explicit Triangles(const PackedScene& shown)
+      : scene_(shown.scene), splits_(shown.packed.splits), space_(shown.packed.space) {
     std::uint32_t end = 0;
-    for (const Mesh& mesh : scene.meshes)
-      ends_.push_back(end += static_cast<std::uint32_t>(mesh.primitives()));
+    for (std::size_t i = 0; i < scene_.meshes.size(); ++i)
+      ends_.push_back(end += static_cast<std::uint32_t>(meshAt(i).primitives()));
   }
 
-  void number(std::uint32_t id, CentreHit& hit) const {
-    const auto mesh = std::upper_bound(ends_.begin(), ends_.end(), id);
-    hit.mesh = static_cast<std::uint32_t>(mesh - ends_.begin());
-    hit.triangle = mesh == ends_.begin() ? id : id - *(mesh - 1);
+  /// Fills in mesh, triangle and uv of the primitive that has the number `id` on the device. uv by
+  /// the weights of the corners as the kernels have them: sorted by their rounded positions. 0
+  /// where the mesh has none. A sphere's are the last two weights.
+  void identify(std::uint32_t id, const glm::dvec3& weights, CentreHit& hit) const {
+    const auto end = std::upper_bound(ends_.begin(), ends_.end(), id);
+    hit.mesh = static_cast<std::uint32_t>(end - ends_.begin());
+    const std::uint32_t number = end == ends_.begin() ? id : id - *(end - 1);
+    hit.uv = uv(meshAt(hit.mesh), number, weights);
+    hit.triangle = hit.mesh < splits_.size() && splits_[hit.mesh]
+                       ? splits_[hit.mesh]->pieces[number].triangle
+                       : number;
   }
 
-  /// Texture coordinates at a hit from the weights of the corners in the kernels' order, which is
-  /// sorted by rounded positions. 0 if the mesh has none. A sphere's are the last two weights.
-  glm::dvec2 uv(const CentreHit& hit, const glm::dvec3& weights) const {
-    const Mesh& mesh = scene_.meshes[hit.mesh];
+ private:
+  const Mesh& meshAt(std::size_t i) const {
+    return i < splits_.size() && splits_[i] ? splits_[i]->mesh : scene_.meshes[i];
+  }
+
+  glm::dvec2 uv(const Mesh& mesh, std::uint32_t number, const glm::dvec3& weights) const {
     if (mesh.sphere) return {weights.y, weights.z};
     if (mesh.uvs.empty()) return glm::dvec2(0.0);
-    const glm::uvec3& t = mesh.triangles[hit.triangle];
+    const glm::uvec3& t = mesh.triangles[number];
     std::array<std::uint32_t, 3> sorted = {t.x, t.y, t.z};
     std::sort(sorted.begin(), sorted.end(), [&](std::uint32_t i, std::uint32_t j) {
       const glm::vec3 p(space_.apply(mesh.positions[i])), q(space_.apply(mesh.positions[j]));
@@ -43,8 +53,8 @@ class Triangles {
            weights.z * mesh.uvs[sorted[2]];
   }
 
- private:
   const Scene& scene_;
+  const std::vector<std::optional<SplitMesh>>& splits_;
   const Normalisation& space_;
   std::vector<std::uint32_t> ends_;
 };
@@ -67,9 +77,10 @@ void resolve(std::span<const std::byte> film, int firstRow, unsigned threads, Im
   });
 }
 
-void resolveCentres(std::span<const std::byte> film, int firstRow, const Scene& scene,
-                    const Normalisation& space, const RenderOptions& options, Image& image) {
-  const Triangles triangles(scene, space);
+void resolveCentres(std::span<const std::byte> film, int firstRow, const PackedScene& shown,
+                    const RenderOptions& options, Image& image) {
+  const Triangles triangles(shown);
+  const Normalisation& space = shown.packed.space;
   const std::size_t channels = image.channels.size();
   float* const out = &image.pixels[static_cast<std::size_t>(firstRow) *
                                    static_cast<std::size_t>(image.width) * channels];
@@ -83,11 +94,10 @@ void resolveCentres(std::span<const std::byte> film, int firstRow, const Scene& 
         hit.emplace();
         hit->distance = static_cast<double>(pixel.sum.w);
         hit->position = glm::dvec3(pixel.sum) / space.scale + space.centre;
-        triangles.number(static_cast<std::uint32_t>(pixel.rest.z) |
-                             static_cast<std::uint32_t>(pixel.rest.w) << 16,
-                         *hit);
         const glm::dvec2 w(pixel.rest);
-        hit->uv = triangles.uv(*hit, {1.0 - w.x - w.y, w.x, w.y});
+        triangles.identify(static_cast<std::uint32_t>(pixel.rest.z) |
+                               static_cast<std::uint32_t>(pixel.rest.w) << 16,
+                           {1.0 - w.x - w.y, w.x, w.y}, *hit);
       }
       writeCentre(options.layers, hit, out + i * channels);
     }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bvh/walk.h"
+#include "core/numeric.h"
 #include "shared/box.h"
 
 namespace laver {
@@ -46,10 +47,16 @@ struct Bounds {
 /// Projects boxes onto the film by the numbers from which the kernels compute camera rays.
 class Projector {
  public:
-  explicit Projector(const shared::Params& p)
-      : film_(p.filmSize.x, p.filmSize.y),
-        origin_(p.origin),
-        pad_(static_cast<double>(shared::padOf(glm::vec3(p.origin)))) {
+  explicit Projector(const Packed& packed)
+      : film_(packed.params.filmSize.x, packed.params.filmSize.y),
+        origin_(packed.space.start > 0.0 ? packed.eye : dvec3(packed.params.origin)),
+        pad_(static_cast<double>(shared::padOf(packed.params.origin))) {
+    const shared::Params& p = packed.params;
+    // Starts are rounded as directions are below.
+    if (packed.space.start > 0.0)
+      pad_ += 5.0 * kRounding *
+              (maxNorm(dvec3(p.startX)) * film_.x + maxNorm(dvec3(p.startY)) * film_.y +
+               maxNorm(dvec3(p.origin)));
     const glm::dmat3 toScene(dvec3(p.columnX), dvec3(p.columnY), dvec3(p.columnZ));
     toFilm_ = glm::inverse(toScene);
     // Rounding of a direction x X + y Y + Z: two products, two sums, and before that x and y, at
@@ -103,7 +110,7 @@ class Collector {
  public:
   explicit Collector(const Packed& packed)
       : bvh_(packed.bvh),
-        projector_(packed.params),
+        projector_(packed),
         covered_(static_cast<int>(packed.params.filmSize.x),
                  static_cast<int>(packed.params.filmSize.y)) {}
 
@@ -137,6 +144,12 @@ class Collector {
 
 }  // namespace
 
-Coverage coverageOf(const Packed& packed) { return Collector(packed).run(); }
+Coverage coverageOf(const Packed& packed) {
+  const glm::uvec2 film = packed.params.filmSize;
+  // What stands outside of the tree may be anywhere.
+  if (packed.params.capCount != 0)
+    return Coverage::whole(static_cast<int>(film.x), static_cast<int>(film.y));
+  return Collector(packed).run();
+}
 
 }  // namespace laver

@@ -157,6 +157,7 @@ const TextureRow bitmap{.name = "bitmap",
                         .forms = {xml::bitmapForm("textmap"), xml::imageTexture(),
                                   xml::bitmapForm("bitmap"), xml::floatImage(), xml::pngTexture()},
                         .picture = true,
+                        .repeats = true,
                         .color = reference::bitmap,
                         .describe = xml::describeImage};
 
@@ -168,6 +169,7 @@ const TextureRow nearest{
                                                                  "u and v are divided by it")},
                .build = xml::buildNearest}},
     .picture = true,
+    .repeats = true,
     .color = reference::nearest,
     .describe = xml::describeImage};
 

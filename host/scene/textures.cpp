@@ -167,6 +167,7 @@ namespace textures {
 const TextureRow checker{.name = "checker",
                          .object = "CheckerTexture",
                          .forms = xml::kCheckers,
+                         .repeats = true,
                          .color = reference::checker,
                          .describe = xml::describeColors};
 

@@ -19,6 +19,7 @@ struct TextureRow {
   const char* object = "";  ///< in the dump
   std::vector<Form> forms{};
   bool picture = false;  ///< it reads an image file
+  bool repeats = false;  ///< (s + 2, t) and (s, t + 2) show what (s, t) does
   /// The colour at (s, t) in double precision: host/reference/texture/NAME.cpp.
   glm::dvec3 (*color)(const Texture& texture, glm::dvec2 st) = nullptr;
   /// The part of the dump between the object's brackets, before scale and offset.

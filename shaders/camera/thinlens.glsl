@@ -13,8 +13,10 @@ vec3 lensPoint(vec2 numbers) {
   return point;
 }
 
-vec3 cameraOrigin(vec2 numbers) {
-  precise vec3 origin = params.origin + lensPoint(numbers);
+vec3 cameraOrigin(vec2 film, vec2 numbers) {
+  precise vec3 point = lensPoint(numbers);
+  if (FAR_CAMERA) point *= params.lensAtStart;
+  precise vec3 origin = pinholeOrigin(film) + point;
   return origin;
 }
 

@@ -70,6 +70,15 @@ SourcePoint pointOn(uint slot, vec2 numbers) {
       return p;
     }
   }
+  if (HAS_CAPS) {
+    if (last.w == IS_CAP) {
+      p.normal = p.geometric = sphereDirection(numbers);
+      p.position = a + (p.normal - b) / c.x;
+      p.area = 12.5663706 / (c.x * c.x);
+      p.offset = 5.9604645e-8 * (16.0 / c.x + 4.0 * dotProduct(abs(p.normal), abs(p.position)));
+      return p;
+    }
+  }
   const float root = sqrt(numbers.x);
   const vec3 weights = vec3(1.0 - root, root - numbers.y * root, numbers.y * root);
   const vec3 n = accurateCross(b - a, c - a) * (last.w != 0u ? -1.0 : 1.0);
@@ -142,7 +151,7 @@ SourceSample sampleSources(Surface s, float number, vec2 numbers) {
   if (HAS_BACKGROUND) {
     if (source.kind == SOURCE_BACKGROUND) {
       arriving.direction = sampleBackground(source, numbers, arriving.density, arriving.radiance);
-      arriving.end = s.position + arriving.direction * SCENE_REACH;
+      arriving.end = s.position + arriving.direction * params.sceneReach;
       arriving.radiance =
           arriving.density > 0.0 ? arriving.radiance / arriving.density : vec3(0.0);
     }

@@ -4,6 +4,6 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
     if (hits.slot[r] == NO_HIT) continue;
     const vec3 d = rays.direction[r];
     const Surface s = surfaceAt(rays.origin[r], d, hits.slot[r]);
-    radiance[r] = vec3(1.0 / sceneLength(s.t, d));
+    radiance[r] = vec3(1.0 / cameraDistance(s.t, d));
   }
 }

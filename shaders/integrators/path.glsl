@@ -80,6 +80,12 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
         arriving[r] = throughput[r] * value;
         toSources.from[r] = offsetOrigin(s, light.direction);
         toSources.direction[r] = light.end - toSources.from[r];
+        if (HAS_FAR_PARTS) {
+          if (isFarPoint(toSources.from[r], light.end)) {
+            toSources.from[r] = light.end;
+            toSources.direction[r] = -toSources.direction[r];
+          }
+        }
       }
       const bool apart = any(notEqual(toSources.direction[r], vec3(0.0)));
       if (!apart) toSources.direction[r] = s.normal;

@@ -21,13 +21,32 @@ LAVER_FN float depthPerUnit(float d, float scale) {
 }
 
 // Sideways padding. The triangle test can accept a line that passes a triangle by its own rounding.
-// With e = 2^-24 and A = max |o| + 1 >= any |v - o| (the host scales the scene into [-1, 1]^3):
-// corner - origin errs by e A on two axes, the slope by 5 e (2.5 ulp a division), shear product and
-// difference by 2 e A, the edge functions by 3 e A, and a box test, be it of a ray or of a frustum,
-// by 4 e A: below pad = 16 e A in all. Along k no pad is needed: corners lie within the box,
-// subtraction rounds monotonically and depthOf() stays between the corners' depths.
+// With e = 2^-24 and A = |o| + |v| >= |v - o|, by largest components, v the triangle's farthest
+// corner: corner - origin errs by e A on two axes, the slope by 5 e (2.5 ulp a division), shear
+// product and difference by 2 e A, the edge functions by 3 e A, and a box test, be it of a ray or
+// of a frustum, by 4 e A: below 16 e A in all. The host grows each triangle's box by BOX_GROWTH
+// |v|, which suffices for shadow rays from a light, too (packet_unoccluded.glsl); the ray's pad is
+// the part of |o|. Along k no pad is needed: corners lie within the box, subtraction rounds
+// monotonically and depthOf() stays between the corners' depths.
+LAVER_CONST float BOX_GROWTH = 32.0f * 5.9604645e-8f;
+
 LAVER_FN float padOf(vec3 origin) {
-  return 9.5367432e-7f * (greater(abs(origin.x), greater(abs(origin.y), abs(origin.z))) + 1.0f);
+  return 9.5367432e-7f * greater(abs(origin.x), greater(abs(origin.y), abs(origin.z)));
+}
+
+// Does a line pass the box around three permuted corners, relative to its origin? A short edge far
+// beside the line has an edge function that is rounding alone where products are not fused, and a
+// triangle that is seen along its length from far away two more, so that the triangle test might
+// accept what only boxes keep out. Every hit passes, with the 16 e of padOf().
+LAVER_FN bool passesCorners(Shear shear, vec3 a, vec3 b, vec3 c) {
+  LAVER_PRECISE vec3 x = vec3(a.x, b.x, c.x) - shear.u * vec3(a.z, b.z, c.z);
+  LAVER_PRECISE vec3 y = vec3(a.y, b.y, c.y) - shear.v * vec3(a.z, b.z, c.z);
+  const vec3 size = vec3(greater(abs(a.x), greater(abs(a.y), abs(a.z))),
+                         greater(abs(b.x), greater(abs(b.y), abs(b.z))),
+                         greater(abs(c.x), greater(abs(c.y), abs(c.z))));
+  const float pad = 9.5367432e-7f * greater(size.x, greater(size.y, size.z));
+  return lesser(x.x, lesser(x.y, x.z)) <= pad && greater(x.x, greater(x.y, x.z)) >= -pad &&
+         lesser(y.x, lesser(y.y, y.z)) <= pad && greater(y.x, greater(y.y, y.z)) >= -pad;
 }
 
 // Relative slack for the rounding of a difference along k, two ulp, so that a segment reaches

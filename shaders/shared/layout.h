@@ -57,8 +57,6 @@ LAVER_CONST uint MAX_LEAF = 8;  // triangles
 
 LAVER_CONST uint NO_HIT = 0xffffffffu;
 
-// Larger than the distance between any two points of the scene, which lies in [-1, 1]^3.
-LAVER_CONST float SCENE_REACH = 4.0f;
 // tmax of rays without an end: times a direction it is finite.
 LAVER_CONST float FAR_AWAY = 1e37f;
 
@@ -84,8 +82,11 @@ struct Node {
 
 // A triangle in the order of the leaves. Its corners are sorted, so that copies of one triangle are
 // hit at the same depth to the bit, in whatever order their files list the corners. 3 texels. Or a
-// sphere, for which `flipped` is IS_SPHERE: `a` is its centre, b.x its radius.
+// sphere, for which `flipped` is IS_SPHERE: `a` is its centre, b.x its radius. Or one of which
+// only a small part is near (cap.h), behind those of the tree: `a` is its nearest point, `b` its
+// normal there, c.x its curvature.
 LAVER_CONST uint IS_SPHERE = 2;
+LAVER_CONST uint IS_CAP = 3;
 struct Triangle {
   vec3 a;
   uint id;  // its number in file order over all meshes
@@ -138,9 +139,9 @@ struct Emission {
 };
 
 // A light source of light sampling, which draws one of all. 1 texel.
-LAVER_CONST uint SOURCE_POINT = 0;  // `index`: of its Light
+LAVER_CONST uint SOURCE_POINT = 0;       // `index`: of its Light
 LAVER_CONST uint SOURCE_BACKGROUND = 1;  // `index`: of the image's cell
-LAVER_CONST uint SOURCE_PRIMITIVE = 2;  // `index`: its slot
+LAVER_CONST uint SOURCE_PRIMITIVE = 2;   // `index`: its slot
 struct Source {
   uint kind;
   uint index;
@@ -181,7 +182,7 @@ struct Work {
 
 // std140: rows of 16 bytes.
 struct Params {
-  vec3 origin;         // of the camera, normalised space
+  vec3 origin;         // of the camera, or the middle of the plane where its rays start
   float packetWindow;  // greatest difference between the slopes of rays in one walk
   vec3 columnX;  // ray direction = columnX * (width - 2 px) + columnY * (height - 2 py) + columnZ
   float tmin;
@@ -205,9 +206,14 @@ struct Params {
   vec3 lensX;             // thinlens: the lens's half axes in normalised space
   float lensToDirection;  // factor of a point of the lens in a ray's direction
   vec3 lensY;
-  float pad4;
-  vec2 filterShape;  // meaning: see filter/NAME.glsl
-  vec2 pad;
+  float lensAtStart;  // the share of a point of the lens that is left where rays start
+  vec2 filterShape;   // meaning: see filter/NAME.glsl
+  uint firstCap;      // slot
+  uint capCount;
+  vec3 startX;   // rays start at startX * (width - 2 px) + startY * (height - 2 py) + origin
+  float startT;  // t there, from the camera
+  vec3 startY;
+  float sceneReach;  // no two points of the scene are farther apart
   vec4
       filterTable[9];  // filter/table.glsl: 33 entries; filter/gaussian_narrow.glsl: exp(alpha k^2)
   vec3 backgroundX;    // rows of the rotation from world space to the background image's space
@@ -269,7 +275,7 @@ static_assert(sizeof(Texture) == 64 && offsetof(Texture, image) == 48);
 static_assert(sizeof(Light) == 32 && offsetof(Light, radiance) == 16);
 static_assert(sizeof(Jump) == 16 && sizeof(Emission) == 16 && sizeof(Source) == 16);
 static_assert(sizeof(Count) == 16 && sizeof(Work) == 16);
-static_assert(sizeof(Params) == 464 && offsetof(Params, filmSize) == 80);
+static_assert(sizeof(Params) == 496 && offsetof(Params, filmSize) == 80);
 static_assert(sizeof(Pass) == 96);
 static_assert(sizeof(FilmPixel) == 32);
 static_assert(sizeof(Status) == 8);

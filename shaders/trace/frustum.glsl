@@ -44,6 +44,10 @@ struct Frustum {
   float first, last;
 };
 
+// What the size of triangles adds to a frustum's pad: their corners lie in [-1, 1]^3, or else their
+// boxes are grown (packet_leaf.glsl).
+const float TRIANGLE_PAD = HAS_FAR_PARTS ? 0.0 : 9.5367432e-7;
+
 // Whether the frustum intersects the box between two permuted corners.
 bool intersects(Frustum f, vec3 low, vec3 high) {
   precise float near = greater(low.z - f.depth, f.first), far = lesser(high.z - f.depth, f.last);

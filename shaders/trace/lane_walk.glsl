@@ -9,6 +9,8 @@
 #include "resources.glsl"
 #include "trace/lane_stack.glsl"
 #include "trace/rays.glsl"
+#include "trace/caps.glsl"
+#include "trace/far_points.glsl"
 #include "shared/box.h"
 #include "shared/sphere.h"
 
@@ -90,6 +92,9 @@ uint closestLane(vec3 origin, vec3 direction, float tmin, float tmax, bool isAct
   const LaneRay ray = laneRay(origin, direction, tmin);
   float last = isActive ? tmax * abs(alongAxis(direction, ray.shear.axis)) : NEVER;
   uint best = NO_HIT, bestId = NO_HIT;
+  if (HAS_CAPS)
+    meetCaps(origin, direction, abs(alongAxis(direction, ray.shear.axis)), ray.first, last, best,
+             bestId);
   uint ref = params.root;
   stacked = 0u;
   do {
@@ -100,6 +105,7 @@ uint closestLane(vec3 origin, vec3 direction, float tmin, float tmax, bool isAct
         const LaneTriangle t = loadTriangle(ray, slot);
         Edges e = edgesOf(ray.shear, t.pa, t.pb, t.pc);
         float depth = depthOf(e, t.pa.z, t.pb.z, t.pc.z);
+        if (HAS_FAR_PARTS) e.inside = e.inside && passesCorners(ray.shear, t.pa, t.pb, t.pc);
         if (HAS_SPHERES && t.sphere) {
           const Chord chord = chordOf(ray.shear, t.pa, t.ends, t.b.x);
           depth = depthOn(chord, ray.first);
@@ -130,12 +136,20 @@ uint closestLane(vec3 origin, vec3 direction, float tmin, float tmax, bool isAct
 
 // Whether no primitive blocks the segment from a point along `direction`, which with `toLight` ends at
 // `light`. It is traced from the point: geometry near the point is decisive, and its rounding error must not
-// grow with the light's distance.
+// grow with the light's distance. See far_points.glsl for the exception.
 bool unoccludedLane(vec3 point, vec3 direction, bool toLight, vec3 light, bool isActive) {
+  bool blocked = false;
+  if (HAS_CAPS) blocked = capsBlock(point, toLight ? light : point + direction);
+  if (HAS_FAR_PARTS && toLight && isFarPoint(point, light)) {
+    const vec3 end = point;
+    point = light;
+    light = end;
+    direction = light - point;
+  }
   const LaneRay ray = laneRay(point, direction, 0.0);
   // The depth of the end; the slack covers the rounding of light - point.
-  const float last = isActive ? alongAxis(abs(direction), ray.shear.axis) * DEPTH_SLACK : NEVER;
-  bool blocked = false;
+  const float last =
+      isActive && !blocked ? alongAxis(abs(direction), ray.shear.axis) * DEPTH_SLACK : NEVER;
   uint ref = params.root;
   stacked = 0u;
   do {
@@ -144,13 +158,13 @@ bool unoccludedLane(vec3 point, vec3 direction, bool toLight, vec3 light, bool i
       uint slot = slotOf(ref), more;
       do {
         const LaneTriangle t = loadTriangle(ray, slot);
-        const Edges e = edgesOf(ray.shear, t.pa, t.pb, t.pc);
         const vec3 a = permute(ray.shear, t.a);
         const vec3 n = crossProduct(permute(ray.shear, t.b) - a, permute(ray.shear, t.c) - a);
         const float lightSide = dotProduct(n, permute(ray.shear, light) - a);
         bool between =
             toLight ? blocks(ray.shear, last, n, lightSide, t.pa, t.pb, t.pc)
                     : blocksSegment(ray.shear, last, permute(ray.shear, direction), n, t.pa, t.pb, t.pc);
+        if (HAS_FAR_PARTS) between = between && passesCorners(ray.shear, t.pa, t.pb, t.pc);
         if (HAS_SPHERES && t.sphere) {
           const vec3 end =
               toLight ? permute(ray.shear, light) - a : permute(ray.shear, direction) - t.pa;

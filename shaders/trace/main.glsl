@@ -27,7 +27,7 @@ void main() {
     const vec2 film = CENTRES ? vec2(pixel) + 0.5 : filmPosition(pixel, pass.firstSample + place.z);
     inside[r] = insidePixel(film, pixel);
     const vec2 aperture = HAS_LENS ? randomPair(r, 1u) : vec2(0.0);
-    rays.origin[r] = cameraOrigin(aperture);
+    rays.origin[r] = cameraOrigin(film, aperture);
     rays.direction[r] = cameraDirection(film, aperture);
     rays.tmin[r] = params.tmin;
     rays.tmax[r] = params.tmax;

@@ -3,6 +3,7 @@
 // leaves at once if these fit into the lanes, and distribute the tests among the lanes
 // (trace/packet_pairs.glsl).
 #include "trace/packet_walk.glsl"
+#include "trace/far_points.glsl"
 #include "shared/sphere.h"
 
 // The triangle that this lane holds, permuted.
@@ -52,6 +53,13 @@ LeafTriangle loadLeaf(Frustum f, Frustum own, uint ref, out uint mine) {
   if (HAS_SPHERES && t.radius > 0.0) {
     low = t.a - t.radius * SPHERE_GROWTH;
     high = t.a + t.radius * SPHERE_GROWTH;
+  }
+  if (HAS_FAR_PARTS) {
+    const vec3 size = vec3(greater(abs(low.x), abs(high.x)), greater(abs(low.y), abs(high.y)),
+                           greater(abs(low.z), abs(high.z)));
+    const float growth = BOX_GROWTH * largestAxis(size);
+    low -= growth;
+    high += growth;
   }
   mine = 0u;
   if (SHARES_TESTS) {

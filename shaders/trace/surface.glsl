@@ -1,7 +1,7 @@
 // The surface at a hit: the point on the triangle or sphere, its shading normal and its material.
 #include "resources.glsl"
 #include "shared/point.h"
-#include "trace/sphere_hit.glsl"
+#include "trace/hit_point.glsl"
 
 struct Surface {
   vec3 position;   // shared/point.h
@@ -16,17 +16,8 @@ struct Surface {
 
 // The surface at the hit of a ray, from `tmin` on, with the primitive in `slot`.
 Surface surfaceFrom(vec3 origin, vec3 direction, float tmin, uint slot) {
-  const int texel = int(slot * 3u);
-  const uvec4 first = texelFetch(triangleTexels, texel);
-  const vec3 a = texelVec3(first);
-  const vec3 b = texelVec3(texelFetch(triangleTexels, texel + 1));
-  const uvec4 last = texelFetch(triangleTexels, texel + 2);
-  Point p = pointAt(origin, direction, a, b, texelVec3(last), last.w != 0u);
-  if (HAS_SPHERES) {
-    if (last.w == IS_SPHERE) p = sphereHitAt(origin, direction, tmin, a, b.x);
-  }
-
   Surface s;
+  const Point p = hitPointAt(origin, direction, tmin, slot, s.id);
   s.position = p.position;
   s.geometric = p.geometric;
   s.t = p.t;
@@ -34,7 +25,6 @@ Surface surfaceFrom(vec3 origin, vec3 direction, float tmin, uint slot) {
   s.normal = p.geometric;
   s.material = 0u;
   s.weights = p.weights;
-  s.id = first.w;
   if (HAS_NORMALS || HAS_MATERIALS) {
     const uvec4 attributes = texelFetch(attributeTexels, int(slot));
     s.material = attributes.x;
@@ -66,4 +56,10 @@ vec3 offsetOrigin(Surface s, vec3 direction) {
 float sceneLength(float t, vec3 direction) {
   precise float length = t * sqrt(dotProduct(direction, direction)) * params.sceneUnits;
   return length;
+}
+
+// The same from the camera, for a camera ray.
+float cameraDistance(float t, vec3 direction) {
+  precise float fromCamera = FAR_CAMERA ? t + params.startT : t;
+  return sceneLength(fromCamera, direction);
 }

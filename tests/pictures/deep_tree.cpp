@@ -11,7 +11,7 @@ namespace {
 Scene cone() {
   Mesh mesh;
   double size = 1.0;
-  for (int i = 0; i < 900; ++i, size *= 0.985) {
+  for (int i = 0; i < 900; ++i, size *= 0.987) {
     const auto first = static_cast<unsigned>(mesh.positions.size());
     for (const glm::dvec2 p : {glm::dvec2(0.0, 1.0), glm::dvec2(0.9, -0.5), glm::dvec2(-0.9, -0.5)})
       mesh.positions.emplace_back(size * p, 5.0 + size);
@@ -20,8 +20,9 @@ Scene cone() {
   Scene scene;
   scene.integrator = {&integrators::depth};
   scene.meshes = {mesh};
-  scene.camera.width = scene.camera.height = 16;
-  scene.camera.fov = 1e-6;
+  // All of the film sees the smallest one, through pixels that floats can still tell apart.
+  scene.camera.width = scene.camera.height = 4;
+  scene.camera.fov = 5e-5;
   return scene;
 }
 

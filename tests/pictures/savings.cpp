@@ -76,11 +76,12 @@ INSTANTIATE_TEST_SUITE_P(Parts, General, testing::ValuesIn(generalParts()),
 /// not compile here before it has one of the two places.
 auto madeGeneral(const TraceKey& key) {
   const auto& [integrator, userFile, userText, camera, sampler, background, bsdfs, textures, layout,
-               traversal, stack, jumpLevels, hits, normals, materials, bsdfRecords, spheres, lights,
-               manyLights, lockstep, bounces, emission, byteImages, floatImages, adaptive,
-               signedValues, properties] = key;
+               traversal, stack, jumpLevels, hits, normals, materials, bsdfRecords, spheres, caps,
+               farParts, farCamera, lights, manyLights, lockstep, bounces, emission, byteImages,
+               floatImages, adaptive, signedValues, properties] = key;
   return std::tuple(background, textures, layout, stack, jumpLevels, hits, normals, materials,
-                    bsdfRecords, spheres, lights, manyLights, byteImages, floatImages);
+                    bsdfRecords, spheres, caps, farParts, farCamera, lights, manyLights, byteImages,
+                    floatImages);
 }
 
 /// The same; of the filter's texts each rounds in its own way.

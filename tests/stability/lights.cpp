@@ -68,7 +68,8 @@ LAVER_STABILITY(Lights, "A light at height 1 to 0, on and behind the surface") {
       const Image image = Renderer(vulkan).render(scene, {}, stats).image;
       const Reference reference(scene);
       // The camera looks at the floor at a right angle; its corners are at most sqrt(6) away.
-      const double deltaP = Rounding(scene).sideways(glm::dvec2(32.0), 2.0, std::sqrt(6.0));
+      const double deltaP =
+          Rounding(scene).sideways(glm::dvec2(32.0), 2.0, std::sqrt(6.0), std::sqrt(3.0));
       notFinite += stats.droppedSamples;
       naive += naiveNotFinite(scene, reference);
       for (int y = 0; y < image.height; ++y)

@@ -124,8 +124,10 @@ Errors judge(const Setting& s, const std::vector<TestRay>& rays, const Twin* twi
     const bool hit = t < 1e36F;
     const bool met = truth.apart <= Quad(s.radius) && truth.leave >= 0;
     // Bound: 16 e A for the line, 5 e radius for the outline (box.h, sphere.h).
-    const double bound =
-        static_cast<double>(shared::padOf(o)) + 8 * 0x1p-24 * static_cast<double>(s.radius);
+    const vec3 size = glm::abs(s.centre) + s.radius;
+    const double bound = static_cast<double>(shared::padOf(o)) +
+                         16 * 0x1p-24 * static_cast<double>(std::max({size.x, size.y, size.z})) +
+                         8 * 0x1p-24 * static_cast<double>(s.radius);
     const double off = std::abs(static_cast<double>(truth.apart - Quad(s.radius)));
     if (hit != met) {
       // For an origin on the surface the ends of the chord matter, too.

@@ -31,6 +31,7 @@ TEST(Choices, FewTrianglesNeedAShallowStack) {
   Scene scene;
   EXPECT_EQ(key(scene).stack, 8U);
   scene.meshes.resize(2);
+  for (Mesh& mesh : scene.meshes) mesh.positions.emplace_back(0.0);
   scene.meshes[0].triangles.resize(8);
   EXPECT_EQ(key(scene).stack, 8U);
   scene.meshes[1].triangles.resize(1);

@@ -11,6 +11,7 @@
 
 #include "core/numeric.h"
 #include "render/materials.h"
+#include "render/split_meshes.h"
 
 namespace laver {
 namespace {
@@ -84,21 +85,23 @@ struct BoundsOf::Local {
 };
 
 BoundsOf::BoundsOf(const Scene& scene, const Rounding& rounding)
-    : scene_(scene), rounding_(rounding), space_(normalisationOf(scene)) {
+    : scene_(scene), rounding_(rounding), space_(rounding.space()) {
   const glm::dmat4& m = scene.camera.toWorld;
   eye_ = space_.apply(dvec3(m[3]) / m[3].w);
 }
 
-double BoundsOf::sideways(dvec2 film, double distance, double farthest) const {
+/// `corner`: the farthest one's distance from the centre of device coordinates.
+double BoundsOf::sideways(dvec2 film, double distance, double farthest, double corner) const {
   const double scale = space_.scale;
-  return rounding_.sideways(film, distance / scale, farthest / scale) * scale;
+  return rounding_.sideways(film, distance / scale, farthest / scale, corner / scale) * scale;
 }
 
 BoundsOf::Local BoundsOf::onTriangle(dvec2 film, const Reference::Hit& hit, const Mesh& mesh,
                                      const glm::uvec3& t) const {
   const std::array<double, 3> weights{1.0 - hit.u - hit.v, hit.u, hit.v};
-  std::array<dvec3, 3> p;
-  for (int i = 0; i < 3; ++i) p[static_cast<std::size_t>(i)] = space_.apply(mesh.positions[t[i]]);
+  std::array<dvec3, 3> p = pieceAt({mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]},
+                                   dvec3(weights[0], weights[1], weights[2]), space_);
+  for (dvec3& corner : p) corner = space_.apply(corner);
   const dvec3 direction = space_.apply(hit.position) - eye_;
   const double distance = glm::length(direction);
   const dvec3 cross = glm::cross(p[1] - p[0], p[2] - p[0]);
@@ -110,17 +113,16 @@ BoundsOf::Local BoundsOf::onTriangle(dvec2 film, const Reference::Hit& hit, cons
   Local local{};
   local.cause = cosine < 0.1 ? fmt::format("seen at cos {:.2g}", cosine)
                              : fmt::format("triangle of height {:.2g}", height);
-  const double farthest =
-      std::max({glm::length(p[0] - eye_), glm::length(p[1] - eye_), glm::length(p[2] - eye_)});
-  const double aside = sideways(film, distance, farthest);
+  const double corner = std::max({glm::length(p[0]), glm::length(p[1]), glm::length(p[2])});
+  const double aside =
+      sideways(film, distance, corner + rounding_.originReach() * space_.scale, corner);
   local.shift = aside / cosine;
   // Distance along the plane. Roundings: the normal, 4 e by accurateCross(), corners and edges; dot
   // products, 3 e each; quotient and product, 4 e. `aside` includes the rounding of the ray's
   // direction and of the corners.
   local.depth = 4.0 * e + (aside + 14.0 * e * distance + 2.0 * e * longest) / (distance * cosine);
-  // The plane is tilted by the rounding of corners, e sqrt(3) / 2 each since |v| <= 1 on each axis,
-  // and of edges.
-  local.normal = 8.0 * e + (2.0 + longest) * e / height;
+  // The plane is tilted by the rounding of corners, e |v| each, and of edges.
+  local.normal = 8.0 * e + (2.0 * corner + longest) * e / height;
   const double moved = local.shift / height + 10.0 * e;  // change of the weights
   if (!mesh.normals.empty()) {
     std::array<dvec3, 3> n;
@@ -160,8 +162,11 @@ BoundsOf::Local BoundsOf::onSphere(dvec2 film, const Reference::Hit& hit,
                              : fmt::format("sphere of radius {:.2g}", radius);
   // A line that moves sideways by s rotates the normal by s / (r cos), and near the outline by at
   // most sqrt(2 s / r). The normal's length errs by 8 e (sphere.h).
-  const double aside =
-      sideways(film, distance, glm::length(space_.apply(sphere.centre) - eye_) + radius);
+  const double origin = rounding_.originReach() * space_.scale;
+  const double nearest = std::abs(glm::length(space_.apply(sphere.centre)) - radius);
+  const double corner = isCap(sphere, space_) ? nearest + glm::length(space_.apply(hit.position))
+                                              : glm::length(space_.apply(sphere.centre)) + radius;
+  const double aside = sideways(film, distance, corner + origin, corner);
   const double rotation = std::min(aside / (radius * cosine), std::sqrt(2.0 * aside / radius));
   local.normal = 8.0 * e + rotation;
   local.shift = rotation * radius;
@@ -194,7 +199,7 @@ ValueBounds BoundsOf::at(dvec2 film, const Reference::Hit& hit) const {
     const double d = std::max(glm::length(position - point), 1e-30);
     const double power = maxNorm(light.radiance) * space_.scale * space_.scale / (d * d);
     const double relative =
-        8.0 * e + local.normal + 3.0 * (local.shift + e * (1.0 + maxNorm(position))) / d;
+        8.0 * e + local.normal + 3.0 * (local.shift + e * (maxNorm(point) + maxNorm(position))) / d;
     bounds.radiance += power / pi * (albedo.largest * relative + albedo.change);
   }
   return bounds;

@@ -32,11 +32,11 @@ class BoundsOf {
   Local onTriangle(glm::dvec2 film, const Reference::Hit& hit, const Mesh& mesh,
                    const glm::uvec3& corners) const;
   Local onSphere(glm::dvec2 film, const Reference::Hit& hit, const Sphere& sphere) const;
-  double sideways(glm::dvec2 film, double distance, double farthest) const;
+  double sideways(glm::dvec2 film, double distance, double farthest, double corner) const;
 
   const Scene& scene_;
   const Rounding& rounding_;
-  Normalisation space_;
+  const Normalisation& space_;
   glm::dvec3 eye_;
 };
 

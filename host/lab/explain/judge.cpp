@@ -110,10 +110,22 @@ bool Judge::otherValue(dvec2 film, const Numbers& numbers, double difference) co
   const double near = nearestDistance(film);
   const double step =
       near == kInfinity ? rounding_.ofBackground(film) : rounding_.ofShading(film, near);
-  return std::ranges::any_of(kAround, [&](dvec2 around) {
+  const bool explained = std::ranges::any_of(kAround, [&](dvec2 around) {
     return differs(film + step * around, numbers) ||
            (drawsDirections(scene_) && differs(film, numbers.moved(Rounding::kDirection * around)));
   });
+  // Shadows of far blockers move farther, and theirs only.
+  for (double far = near; !explained && near < kInfinity && far < rounding_.farthestBlocker();
+       far *= 2.0) {
+    const double wider = rounding_.ofShading(film, near, 2.0 * far);
+    const bool blocked = reference_.blockerDistance(film) >= far;
+    if (std::ranges::any_of(kAround, [&](dvec2 around) {
+          const dvec2 place = film + wider * around;
+          return differs(place, numbers) && (blocked || reference_.blockerDistance(place) >= far);
+        }))
+      return true;
+  }
+  return explained;
 }
 
 bool Judge::pixelSeesOtherHit(int x, int y) const {
