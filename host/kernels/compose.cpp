@@ -49,6 +49,7 @@ void traceConstants(const TraceKey& key, Text& text) {
   text.flag("HAS_FAR_PARTS", key.farParts);
   text.flag("FAR_CAMERA", key.farCamera);
   text.flag("HAS_LIGHTS", key.lights);
+  text.flag("HAS_SHAPED_LIGHTS", key.shapedLights);
   text.flag("MANY_LIGHTS", key.manyLights);
   text.flag("HAS_EMISSION", key.emission);
   text.flag("HAS_BACKGROUND", key.background != "none");
@@ -63,6 +64,7 @@ void traceConstants(const TraceKey& key, Text& text) {
 void shading(const TraceKey& key, Text& text) {
   text.append(materialText(key));
   text.include("emitter/point.glsl");
+  text.include("emitter/shaped.glsl");
   text.line("#include \"emitter/{}.glsl\"", key.background);
 }
 

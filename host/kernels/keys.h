@@ -67,6 +67,7 @@ struct TraceKey {
   bool farParts = false;         ///< parts of the scene are far from the centre of coordinates
   bool farCamera = false;        ///< camera rays start on a plane before the scene
   bool lights = false;           ///< point lights affect the result
+  bool shapedLights = false;     ///< some of them is a spot or a directional light
   bool manyLights = false;       ///< the lights of a pass take several dispatches
   bool lockstep = false;         ///< the 8 lanes of a subgroup leave loops over bounces together
   bool bounces = false;          ///< rays may start on surfaces

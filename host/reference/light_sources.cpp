@@ -16,6 +16,14 @@ constexpr double kPi = std::numbers::pi;
 
 double luminance(const glm::dvec3& rgb) { return 0.2126 * rgb.r + 0.7152 * rgb.g + 0.0722 * rgb.b; }
 
+/// Flux of a light into its cone, or of a directional one through a disk around the scene.
+double powerOf(const PointLight& light, double radius) {
+  const double bright = luminance(light.radiance);
+  if (light.row == &emitters::directional) return bright * kPi * radius * radius;
+  const double half = light.row == &emitters::spot ? 0.5 * glm::radians(light.outer) : 0.5 * kPi;
+  return bright * 4.0 * kPi * std::pow(std::sin(half), 2);
+}
+
 }  // namespace
 
 glm::dvec3 emitted(const Surface& surface, const glm::dvec3& direction) {
@@ -26,7 +34,7 @@ glm::dvec3 emitted(const Surface& surface, const glm::dvec3& direction) {
 LightSources::LightSources(const Scene& scene, const World& world)
     : scene_(&scene), world_(&world) {
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
-    add({Source::Kind::Point, i, 4.0 * kPi * luminance(scene.lights[i].radiance), 0.0});
+    add({Source::Kind::Point, i, powerOf(scene.lights[i], 0.5 * world.diagonal()), 0.0});
   if (scene.environment) addBackground();
   addPrimitives();
   distribute();
@@ -123,7 +131,7 @@ SourceSample LightSources::sample(const Surface& surface, double number, glm::dv
             sky.row->background(sky, drawn.direction) / density, density};
   }
   const PointLight& light = world_->lights()[source.index];
-  const LightSample arriving = light.row->sample(light, surface.position);
+  const LightSample arriving = light.row->sample(light, surface.position, world_->extent());
   const glm::dvec3 away = arriving.position - surface.position;
   const double distance = glm::length(away);
   return {distance > 0.0 ? away / distance : surface.shading, arriving.position,

@@ -61,6 +61,10 @@ void keyOfShading(const Scene& scene, const IntegratorRow& row, bool surfaces, T
   key.bsdfs = bsdfsOf(scene);
   key.layout = layoutOf(scene);
   key.lights = row.needs.lights && !scene.lights.empty();
+  key.shapedLights = key.lights && std::any_of(scene.lights.begin(), scene.lights.end(),
+                                               [](const PointLight& light) {
+                                                 return light.row != &emitters::point;
+                                               });
   key.manyLights =
       key.lights && !row.needs.emitters && scene.lights.size() > shared::LIGHTS_PER_DISPATCH;
   if (row.needs.background && scene.environment) {

@@ -10,9 +10,10 @@ namespace laver {
 // Not the BSDFs: compilers round one differently beside others, though alike in every traversal.
 const std::vector<std::string>& generalParts() {
   static const std::vector<std::string> parts = {
-      "stack",       "normals",     "materials", "bsdf records", "lights",    "many lights",
-      "jump levels", "apron",       "strips",    "textures",     "images",    "background",
-      "hits",        "index bytes", "spheres",   "caps",         "far parts", "far camera"};
+      "stack",         "normals",     "materials",   "bsdf records", "lights",
+      "shaped lights", "many lights", "jump levels", "apron",        "strips",
+      "textures",      "images",      "background",  "hits",         "index bytes",
+      "spheres",       "caps",        "far parts",   "far camera"};
   return parts;
 }
 
@@ -31,6 +32,7 @@ void generaliseKey(TraceKey& key, const std::string& part, bool stream) {
   if (part == "materials") key.materials = true;
   if (part == "bsdf records") key.bsdfRecords = true;
   if (part == "lights" || part == "many lights") key.lights = true;
+  if (part == "shaped lights") key.lights = key.shapedLights = true;
   if (part == "many lights") key.manyLights = true;
   if (part == "jump levels" && stream) key.jumpLevels = 3;
   if (part == "textures" && !key.bsdfs.empty()) {

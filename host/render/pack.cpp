@@ -221,12 +221,6 @@ void packAttributes(const std::vector<shared::Attributes>& attributes, const Upl
   }
 }
 
-/// radiance / distance^2 is invariant if distances are scaled by s and radiance by s^2.
-shared::Light lightData(const PointLight& light, const Normalisation& space) {
-  return {vec3(space.apply(light.position)), 0.0F,
-          vec3(light.radiance * (space.scale * space.scale)), 0.0F};
-}
-
 }  // namespace
 
 std::array<glm::vec4, 2> propertiesOf(const IntegratorUse& integrator, const Packed& packed) {
@@ -284,7 +278,7 @@ Packed pack(const Scene& scene, const RenderOptions& options, const Uploads& upl
   }
   if (uploads.lights)
     for (const PointLight& light : scene.lights)
-      packed.lights.push_back(lightData(light, packed.space));
+      packed.lights.push_back(packedLight(light, packed.space));
   packCamera(scene.camera, packed);
   packFilter(scene.filter, uploads.noriTable, packed.params);
   packSampler(scene, uploads.jumpLevels, packed);

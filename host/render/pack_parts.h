@@ -22,6 +22,10 @@ void packSeed(std::int64_t seed, shared::Params& params);
 /// Points and lengths are converted to normalised space, and lengths clamped to [2^-100, reach].
 std::array<glm::vec4, 2> propertiesOf(const IntegratorUse& integrator, const Packed& packed);
 
+shared::Light packedLight(const PointLight& light, const Normalisation& space);
+/// Flux of a light; of a directional one through a disk of this radius.
+double powerOf(const shared::Light& light, double radius);
+
 /// What meshes emit, and the light sources of light sampling; tree, space and lights must be there.
 void packSources(const Scene& scene, Packed& packed);
 

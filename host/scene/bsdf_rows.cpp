@@ -75,6 +75,13 @@ PropertyRow imaginaryIndex(const char* name, glm::dvec3 start) {
   return color(name, start, "its imaginary part", atLeast(0.0));
 }
 
+PropertyRow baseColor() {
+  PropertyRow row =
+      color("baseColor", glm::dvec3(0.5), "linear; also called albedo", fromTo(0.0, 1.0));
+  row.spelling = "albedo";
+  return row;
+}
+
 /// Anything but 0 is refused.
 PropertyRow anisotropic() {
   return real("anisotropic", 0.0, "laver has the isotropic form only", fromTo(0.0, 0.0));
@@ -121,15 +128,17 @@ const BsdfRow roughsubstrate{.name = "roughsubstrate",
                              .pdf = reference::roughsubstratePdf,
                              .sample = reference::roughsubstrateSample};
 
-const BsdfRow conductor{.name = "conductor",
-                        .object = "Conductor",
-                        .properties = {material("Au, Cu or Cr, for eta and k"),
-                                       realIndex("eta", kGoldEta), imaginaryIndex("k", kGoldK)},
-                        .materials = metals("eta", "k"),
-                        .delta = true,
-                        .eval = reference::conductorEval,
-                        .pdf = reference::conductorPdf,
-                        .sample = reference::conductorSample};
+const BsdfRow conductor{
+    .name = "conductor",
+    .object = "Conductor",
+    .properties = {material("Au, Cu or Cr, for eta and k"), realIndex("eta", kGoldEta),
+                   imaginaryIndex("k", kGoldK),
+                   color("specularReflectance", glm::dvec3(1.0), "factor", atLeast(0.0))},
+    .materials = metals("eta", "k"),
+    .delta = true,
+    .eval = reference::conductorEval,
+    .pdf = reference::conductorPdf,
+    .sample = reference::conductorSample};
 
 const BsdfRow microfacetConductor{
     .name = "microfacet_conductor",
@@ -174,9 +183,9 @@ const BsdfRow phong{
 
 const BsdfRow disney{
     .name = "disney",
+    .spellings = {"disneyBSDF"},
     .object = "Disney",
-    .properties = {color("baseColor", glm::dvec3(0.5), "linear", fromTo(0.0, 1.0)),
-                   share("metallic", 0.0, "0: a dielectric, 1: a conductor"),
+    .properties = {baseColor(), share("metallic", 0.0, "0: a dielectric, 1: a conductor"),
                    share("subsurface", 0.0,
                          "diffuse reflection as of light that was scattered below"),
                    real("specular", 0.5, "of a dielectric: reflectance at normal incidence / 0.08",

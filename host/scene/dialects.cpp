@@ -11,7 +11,11 @@ const Rows<Dialect>& dialects() {
                .encodedSky = true,
                .emittersAbsorb = true,
                .textmapMirrored = true},
-      nori1{.name = "nori1", .mirrored = true, .occlusionLength = 0.1, .sky = Sky::YUpTurned};
+      nori1{.name = "nori1",
+            .mirrored = true,
+            .scaledLookAt = true,
+            .occlusionLength = 0.1,
+            .sky = Sky::YUpTurned};
   static const Rows<Dialect> rows = {&base, &eth, &dartmouth, &zaragoza, &nori1};
   return rows;
 }

@@ -17,6 +17,7 @@ struct Dialect {
   const char* name;
   std::vector<const char*> spellings{};
   bool mirrored = false;         ///< the camera's +x is on the right of the film, not on the left
+  bool scaledLookAt = false;     ///< <lookat> shrinks left and up by the sine between up and view
   double occlusionLength = 0.0;  ///< of `ao`, in diagonals of the scene; 0: endless
   Sky sky = Sky::YUp;
   bool encodedSky = false;       ///< values of a sky's image are divided by 255, those of EXR, too

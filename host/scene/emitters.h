@@ -20,14 +20,16 @@ struct CellDensity;
 }  // namespace reference
 
 /// A kind of emitter. Its kernel's part is shaders/emitter/NAME.glsl, its twin in double precision
-/// host/reference/emitter/NAME.cpp. A point light has `sample`, a background the other functions.
+/// host/reference/emitter/NAME.cpp. Point-like lights have `sample`, a background the other
+/// functions. `reach`: longer than the scene.
 struct EmitterRow {
   const char* name;
   const char* object = "";  ///< Nori's class, in the dump
   std::vector<Form> forms{};
   /// What the dump shows of a background between radiance and toWorld.
   std::string (*describe)(const Environment& environment) = nullptr;
-  reference::LightSample (*sample)(const PointLight& light, const glm::dvec3& from) = nullptr;
+  reference::LightSample (*sample)(const PointLight& light, const glm::dvec3& from,
+                                   double reach) = nullptr;
   /// Background radiance in a direction of any length except 0.
   glm::dvec3 (*background)(const Environment& environment, const glm::dvec3& direction) = nullptr;
   /// Draws a direction to the background from a cell of its grid (SkyGrid), and its density per
@@ -39,16 +41,28 @@ struct EmitterRow {
 };
 
 namespace emitters {
-extern const EmitterRow point, area, constant, environment, distantdisk;
+extern const EmitterRow point, spot, directional, area, constant, environment, distantdisk;
 }  // namespace emitters
 
 const Rows<EmitterRow>& emitterRows();
 
-/// Isotropic point light: radiance / distance^2 arrives at a surface.
+/// How a spot light's intensity falls from its inner to its outer angle.
+enum class Falloff {
+  Angle,     ///< linearly in the angle
+  Square,    ///< as the square of what is linear in the cosine
+  Quartic,   ///< as its fourth power
+  Projected  ///< the same, times the cosine
+};
+
+/// Isotropic point light: radiance / distance^2 arrives at a surface. A spot light sends that along
+/// its axis only, a directional light its radiance from infinitely far away.
 struct PointLight {
   glm::dvec3 position{0.0, 100.0, 0.0};
   glm::dvec3 radiance{1.0};
   const EmitterRow* row = &emitters::point;
+  glm::dvec3 axis{0.0, -1.0, 0.0};  ///< unit; along which the light travels
+  double inner = 0.0, outer = 0.0;  ///< degrees from the axis
+  Falloff falloff = Falloff::Angle;
 };
 
 /// Light that a mesh emits, on the side of its shading normal.

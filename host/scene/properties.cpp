@@ -17,7 +17,7 @@ Properties::Properties(const ObjectRule& rule, std::size_t offset, Diagnostics& 
 
 std::size_t Properties::find(std::string_view name) const {
   std::size_t index = 0;
-  while (index < rule_.properties.size() && rule_.properties[index].name != name) ++index;
+  while (index < rule_.properties.size() && !rule_.properties[index].isCalled(name)) ++index;
   return index;
 }
 

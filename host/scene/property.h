@@ -52,7 +52,12 @@ struct PropertyRow {
   Range range{};          ///< of a number or of each of a colour's; default: any finite one
   const char* unit = "";  ///< for example "pixels"
   const char* meaning = "";
-  bool pair = false;  ///< a Vector or a Point of two numbers; a third is ignored
+  bool pair = false;          ///< a Vector or a Point of two numbers; a third is ignored
+  const char* spelling = "";  ///< another name in scenes
+
+  bool isCalled(std::string_view given) const {
+    return given == name || (given == spelling && *spelling != '\0');
+  }
 };
 
 /// The problem with a number or a colour, for messages: "fov must be more than 0 and less than 180

@@ -141,14 +141,15 @@ std::optional<Value> Reader::readValue(pugi::xml_node node, PropertyType type,
   const char* name = node.attribute("name").value();
   const PropertyType wanted = row.type;
   const bool integerForFloat = wanted == PropertyType::Float && type == PropertyType::Integer;
+  const bool grey = wanted == PropertyType::Color && type == PropertyType::Float;
   const bool pair = row.pair && (type == PropertyType::Vector || type == PropertyType::Point);
-  if (type != wanted && !integerForFloat && !pair) {
+  if (type != wanted && !integerForFloat && !grey && !pair) {
     diagnostics_.error(at(node), fmt::format("the property \"{}\" is a <{}>, expected a <{}>", name,
                                              tagOf(type), tagOf(wanted)));
     return std::nullopt;
   }
   if (type == PropertyType::Transform) {
-    const auto matrix = readTransform(node, source_, diagnostics_);
+    const auto matrix = readTransform(node, source_, *draft_.overrides.dialect, diagnostics_);
     return matrix ? std::optional<Value>(*matrix) : std::nullopt;
   }
   Value value;
@@ -159,6 +160,7 @@ std::optional<Value> Reader::readValue(pugi::xml_node node, PropertyType type,
     diagnostics_.error(at(node), fmt::format("the property \"{}\": {}", name, problem));
     return std::nullopt;
   }
+  if (grey) value = glm::dvec3(std::get<double>(value));
   if (integerForFloat) value = static_cast<double>(std::get<std::int64_t>(value));
   return value;
 }
@@ -199,15 +201,16 @@ bool Reader::checkTexture(pugi::xml_node node, const ObjectRule& parent) {
     return false;
   }
   const std::string_view name = node.attribute("name").value();
-  std::vector<std::string_view> names;
-  for (const PropertyRow& property : parent.properties)
-    if (property.type == PropertyType::Color || property.type == PropertyType::Float)
-      names.emplace_back(property.name);
   // Some courses name it after the property with "map" behind it.
-  std::string_view property = name;
-  if (std::find(names.begin(), names.end(), name) == names.end() && name.ends_with("map"))
-    property.remove_suffix(3);
-  if (std::find(names.begin(), names.end(), property) == names.end()) {
+  const std::string_view stem = name.ends_with("map") ? name.substr(0, name.size() - 3) : name;
+  std::vector<std::string_view> names;
+  std::string_view property;
+  for (const PropertyRow& row : parent.properties) {
+    if (row.type != PropertyType::Color && row.type != PropertyType::Float) continue;
+    names.emplace_back(row.name);
+    if (row.isCalled(name) || (property.empty() && row.isCalled(stem))) property = row.name;
+  }
+  if (property.empty()) {
     missing(node, Need::Shading,
             fmt::format("<texture> replaces {} of {}, expected name={}", inQuotes(name),
                         nameOf(parent), expectedNames(name, names)));

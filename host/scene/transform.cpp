@@ -87,6 +87,16 @@ std::optional<glm::dmat4> lookAt(const glm::dvec3& origin, const glm::dvec3& tar
                     glm::dvec4(origin, 1.0));
 }
 
+std::optional<glm::dmat4> scaledLookAt(const glm::dvec3& origin, const glm::dvec3& target,
+                                       const glm::dvec3& up) {
+  std::optional<glm::dmat4> result = lookAt(origin, target, up);
+  if (!result) return result;
+  const double sine = glm::length(glm::cross(normalizedOrZero(up), glm::dvec3((*result)[2])));
+  (*result)[0] *= sine;
+  (*result)[1] *= sine;
+  return result;
+}
+
 std::optional<glm::dmat4> rotation(const glm::dvec3& axis, double degrees) {
   const glm::dvec3 unit = normalizedOrZero(axis);
   if (unit == glm::dvec3(0.0)) return std::nullopt;

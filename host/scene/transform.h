@@ -10,6 +10,11 @@ namespace laver {
 std::optional<glm::dmat4> lookAt(const glm::dvec3& origin, const glm::dvec3& target,
                                  const glm::dvec3& up);
 
+/// The same as Nori 1 has it: left = normalize(up) x dir, so that left and up have the length of
+/// the sine of the angle between `up` and the view, and a camera sees that much less.
+std::optional<glm::dmat4> scaledLookAt(const glm::dvec3& origin, const glm::dvec3& target,
+                                       const glm::dvec3& up);
+
 /// Rotation about an axis of any length but zero, angle in degrees. Nothing for a zero axis.
 std::optional<glm::dmat4> rotation(const glm::dvec3& axis, double degrees);
 

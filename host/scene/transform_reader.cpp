@@ -16,8 +16,9 @@ namespace {
 // One operation of a transform.
 class Operation {
  public:
-  Operation(pugi::xml_node node, const TextSource& source, Diagnostics& diagnostics)
-      : node_(node), source_(source), diagnostics_(diagnostics) {}
+  Operation(pugi::xml_node node, const TextSource& source, const Dialect& dialect,
+            Diagnostics& diagnostics)
+      : node_(node), source_(source), dialect_(dialect), diagnostics_(diagnostics) {}
 
   std::optional<glm::dmat4> read() {
     checkNoContent(node_, source_, diagnostics_);
@@ -58,7 +59,7 @@ class Operation {
       if (!result) error("<rotate> \"axis\" is zero, expected a direction");
       return result;
     }
-    result = lookAt(triple(3), triple(0), triple(6));
+    result = (dialect_.scaledLookAt ? scaledLookAt : lookAt)(triple(3), triple(0), triple(6));
     if (!result)
       error("<lookat> has no direction: expected a target off the origin and an up off the view");
     return result;
@@ -68,6 +69,7 @@ class Operation {
 
   pugi::xml_node node_;
   const TextSource& source_;
+  const Dialect& dialect_;
   Diagnostics& diagnostics_;
 };
 
@@ -83,13 +85,13 @@ void checkNoContent(pugi::xml_node node, const TextSource& source, Diagnostics& 
 }
 
 std::optional<glm::dmat4> readTransform(pugi::xml_node node, const TextSource& source,
-                                        Diagnostics& diagnostics) {
+                                        const Dialect& dialect, Diagnostics& diagnostics) {
   glm::dmat4 result(1.0);
   bool usable = true;
   for (const pugi::xml_node child : node.children()) {
     const std::string_view name = child.name();
     if (child.type() == pugi::node_element && findOperation(name)) {
-      const auto matrix = Operation(child, source, diagnostics).read();
+      const auto matrix = Operation(child, source, dialect, diagnostics).read();
       if (matrix) result = *matrix * result;
       usable = usable && matrix;
       continue;

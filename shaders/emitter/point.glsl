@@ -5,7 +5,7 @@ struct PointLight {
 };
 
 PointLight pointLightAt(uint number) {
-  const int texel = int(number) * 2;
+  const int texel = int(number) * 3;
   return PointLight(texelVec3(texelFetch(lightTexels, texel)),
                     texelVec3(texelFetch(lightTexels, texel + 1)));
 }

@@ -139,7 +139,7 @@ SourceSample sampleSources(Surface s, float number, vec2 numbers) {
   }
   if (HAS_LIGHTS) {
     if (source.kind == SOURCE_POINT) {
-      const PointLight light = pointLightAt(source.index);
+      const PointLight light = seenFrom(pointLightAt(source.index), source.index, s.position);
       const vec3 away = light.position - s.position;
       const float squared = dotProduct(away, away);
       arriving.direction = unitOr(away, s.normal);

@@ -126,10 +126,19 @@ struct Texture {
 
 struct Light {
   vec3 position;  // normalised space
-  float pad0;
+  float outer;    // of a spot: where its intensity is 0, as emitter/shaped.glsl measures it
   vec3 radiance;  // scaled to normalised space: radiance / distance^2 is in scene units
-  float pad1;
+  float ramp;     // of a spot: 1 / (where its intensity is full - outer)
+  vec3 axis;      // unit; along which the light travels
+  uint shape;     // LIGHT_...
 };
+
+LAVER_CONST uint LIGHT_POINT = 0;
+LAVER_CONST uint LIGHT_DIRECTIONAL = 1;     // the same radiance everywhere, from -axis
+LAVER_CONST uint LIGHT_SPOT_ANGLE = 2;      // falls linearly in the angle
+LAVER_CONST uint LIGHT_SPOT_SQUARE = 3;     // falls as the square of what is linear in the cosine
+LAVER_CONST uint LIGHT_SPOT_QUARTIC = 4;    // as its fourth power
+LAVER_CONST uint LIGHT_SPOT_PROJECTED = 5;  // the same, times the cosine
 
 // Light that a mesh emits on the side of its shading normal. 1 texel.
 struct Emission {
@@ -272,7 +281,7 @@ static_assert(sizeof(Node) == 256);
 static_assert(sizeof(Triangle) == 48 && offsetof(Triangle, c) == 32);
 static_assert(sizeof(Attributes) == 16);
 static_assert(sizeof(Texture) == 64 && offsetof(Texture, image) == 48);
-static_assert(sizeof(Light) == 32 && offsetof(Light, radiance) == 16);
+static_assert(sizeof(Light) == 48 && offsetof(Light, radiance) == 16);
 static_assert(sizeof(Jump) == 16 && sizeof(Emission) == 16 && sizeof(Source) == 16);
 static_assert(sizeof(Count) == 16 && sizeof(Work) == 16);
 static_assert(sizeof(Params) == 496 && offsetof(Params, filmSize) == 80);

@@ -137,6 +137,43 @@ TEST(AllBsdfs, HaveTheSameBitsByEveryTraversal) {
     EXPECT_EQ(render(scene, onTestDevice(traversal)).pixels, image.pixels) << traversal;
 }
 
+/// The room with a directional light and a spot of each kind.
+Scene shapedLights(const IntegratorRow& integrator) {
+  Scene scene = room(integrator);
+  scene.meshes.resize(3);
+  scene.environment.reset();
+  PointLight light{{0.0, 0.8, 0.2}, {0.3, 0.2, 0.2}, &emitters::spot};
+  light.outer = 50.0;
+  for (const Falloff falloff :
+       {Falloff::Angle, Falloff::Square, Falloff::Quartic, Falloff::Projected}) {
+    light.falloff = falloff;
+    light.inner += 10.0;
+    light.position.x += 0.15;
+    light.axis = glm::normalize(glm::dvec3(-0.2, -1.0, 0.1 * light.inner / 10.0));
+    scene.lights.push_back(light);
+  }
+  light.row = &emitters::directional;
+  light.axis = glm::normalize(glm::dvec3(0.3, -1.0, 0.8));
+  scene.lights.push_back(light);
+  return scene;
+}
+
+TEST(ShapedLights, AreThoseOfTheTwin) {
+  expectPathsOfTheTwin(shapedLights(*rowCalled(integratorRows(), "path_mis")));
+  const Scene scene = shapedLights(integrators::directWhitted);
+  EXPECT_LE(shareBeyond(render(scene), Reference(scene).render().image), 0.003);
+}
+
+TEST(ShapedLights, HaveTheSameBitsByEveryTraversal) {
+  for (const IntegratorRow* row :
+       {&integrators::directWhitted, rowCalled(integratorRows(), "direct")}) {
+    const Scene scene = shapedLights(*row);
+    const Image image = render(scene, onTestDevice("lane"));
+    for (const std::string& traversal : traversals())
+      EXPECT_EQ(render(scene, onTestDevice(traversal)).pixels, image.pixels) << traversal;
+  }
+}
+
 /// The mean of a picture of independent pixels, three channels of which are one sample, and the
 /// standard deviation of that mean.
 struct Mean {

@@ -77,11 +77,11 @@ INSTANTIATE_TEST_SUITE_P(Parts, General, testing::ValuesIn(generalParts()),
 auto madeGeneral(const TraceKey& key) {
   const auto& [integrator, userFile, userText, camera, sampler, background, bsdfs, textures, layout,
                traversal, stack, jumpLevels, hits, normals, materials, bsdfRecords, spheres, caps,
-               farParts, farCamera, lights, manyLights, lockstep, bounces, emission, byteImages,
-               floatImages, adaptive, signedValues, properties] = key;
+               farParts, farCamera, lights, shapedLights, manyLights, lockstep, bounces, emission,
+               byteImages, floatImages, adaptive, signedValues, properties] = key;
   return std::tuple(background, textures, layout, stack, jumpLevels, hits, normals, materials,
-                    bsdfRecords, spheres, caps, farParts, farCamera, lights, manyLights, byteImages,
-                    floatImages);
+                    bsdfRecords, spheres, caps, farParts, farCamera, lights, shapedLights,
+                    manyLights, byteImages, floatImages);
 }
 
 /// The same; of the filter's texts each rounds in its own way.

@@ -234,7 +234,8 @@ const std::vector<Case> kLacking = {
      "f.xml:2:2: error: emitter \"area\" stands in <scene>, expected it in <mesh>"},
     {"sky", scene("<emitter type=\"sky\"/>", "direct_whitted"),
      "f.xml:2:2: error: laver has no emitter of type \"sky\": expected \"pointlight\", "
-     "\"point\", \"area\", \"environment\", \"envmap\", \"constant\" or \"distantdisk\""},
+     "\"point\", \"spotlight\", \"spot\", \"directional\", \"area\", \"environment\", \"envmap\", "
+     "\"constant\" or \"distantdisk\""},
     {"subsurface", scene(mesh("\n<subsurface type=\"dipole\"/>"), "direct_whitted"),
      "f.xml:3:2: error: unknown tag <subsurface>: expected " +
          xml::expectedNames("", xml::knownTags())},

@@ -24,7 +24,8 @@ TEST_F(SceneLacking, UnsupportedObjectsThatTheIntegratorIgnoresAreWarnings) {
       "f.xml:2:2: warning: laver has no medium of type \"homogeneous\": it has none" + tail +
           "\nf.xml:3:2: warning: laver has no test of type \"ttest\": it has none" + tail +
           "\nf.xml:4:2: warning: laver has no emitter of type \"sky\": expected \"pointlight\", "
-          "\"point\", \"area\", \"environment\", \"envmap\", \"constant\" or \"distantdisk\"" +
+          "\"point\", \"spotlight\", \"spot\", \"directional\", \"area\", \"environment\", "
+          "\"envmap\", \"constant\" or \"distantdisk\"" +
           tail + "\nf.xml:5:58: warning: laver has no bsdf of type \"velvet\": expected " +
           xml::expectedNames("velvet", xml::knownTypes("bsdf")) +
           "; there is no file velvet.glsl next to the scene either" + tail +

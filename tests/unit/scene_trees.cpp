@@ -4,6 +4,7 @@
 
 #include "image/io.h"
 #include "reference/camera.h"
+#include "reference/emitter.h"
 #include "support/scene_files.h"
 
 namespace laver::test {
@@ -64,6 +65,142 @@ TEST(SceneTrees, OcclusionHasALengthInDiagonalsWhichNori1Presets) {
   };
   EXPECT_GE(length("base"), 1.0);
   EXPECT_EQ(length("nori1"), 0.1);
+}
+
+/// What arrives at (2 tan(degrees), 0, 0) of a light at (0, 2, 0) that looks down, times the
+/// squared distance.
+double arriving(const std::string& type, const std::string& inside, double degrees) {
+  const SceneFiles files;
+  const Scene s =
+      files
+          .load(scene("<emitter type=\"" + type + "\"><point name=\"position\" value=\"0 2 0\"/>" +
+                      inside + "</emitter><mesh type=\"sphere\"/>"))
+          .scene;
+  const PointLight& light = s.lights.at(0);
+  const glm::dvec3 from(2.0 * std::tan(degrees * kPi / 180.0), 0.0, 0.0);
+  const double squared = glm::dot(from - light.position, from - light.position);
+  return light.row->sample(light, from, 9.0).radiance.y * squared;
+}
+
+std::string number(const char* name, double value) {
+  return "<float name=\"" + std::string(name) + "\" value=\"" + std::to_string(value) + "\"/>";
+}
+
+double cosine(double degrees) { return std::cos(degrees * kPi / 180.0); }
+
+// Expected values are those of the formulas of each tree, up to the rounding of doubles and of six
+// digits in the text.
+constexpr double kSixDigits = 1e-5;
+
+TEST(SceneTrees, ASpotlightFallsAsASquareOfCosinesFromPower) {
+  const std::string inside =
+      "<color name=\"power\" value=\"10,20,30\"/><vector name=\"direction\" value=\"0 -3 0\"/>" +
+      number("cosFalloffStart", 30) + number("cosTotalWidth", 60);
+  const double full = 20.0 / (4.0 * kPi);
+  const double share = (cosine(45) - cosine(60)) / (cosine(30) - cosine(60));
+  EXPECT_NEAR(arriving("spotlight", inside, 20), full, kSixDigits);
+  EXPECT_NEAR(arriving("spotlight", inside, 45), full * share * share, kSixDigits);
+  EXPECT_EQ(arriving("spotlight", inside, 61), 0.0);
+}
+
+TEST(SceneTrees, ASpotlightFallsLinearlyInTheAngleFromColor) {
+  const std::string inside =
+      "<color name=\"color\" value=\"10,20,30\"/><vector name=\"direction\" value=\"0 -1 0\"/>" +
+      number("cosFalloffStart", 30) + number("cosTotalWidth", 60);
+  EXPECT_NEAR(arriving("spotlight", inside, 45), 0.5 * 20.0 / (4.0 * kPi), kSixDigits);
+  EXPECT_EQ(arriving("spotlight", inside, 61), 0.0);
+}
+
+TEST(SceneTrees, ASpotWithATargetIsAProjectedCone) {
+  const std::string inside =
+      "<color name=\"power\" value=\"10,20,30\"/><point name=\"target\" value=\"0 1 0\"/>" +
+      number("cone", 40) + number("falloff", 40);
+  EXPECT_NEAR(arriving("spot", inside, 30), 20.0 * cosine(30), kSixDigits);
+  EXPECT_EQ(arriving("spot", inside, 41), 0.0);
+}
+
+TEST(SceneTrees, ASpotWithATotalWidthFallsAsAFourthPower) {
+  const std::string inside =
+      "<color name=\"power\" value=\"10,20,30\"/><vector name=\"direction\" value=\"0 -1 0\"/>" +
+      number("totalwidth", 80) + number("falloffstart", 20);
+  const double full = 20.0 / (2.0 * kPi * (1.0 - 0.5 * (cosine(20) + cosine(40))));
+  const double share = (cosine(30) - cosine(40)) / (cosine(20) - cosine(40));
+  EXPECT_NEAR(arriving("spot", inside, 10), full, kSixDigits);
+  EXPECT_NEAR(arriving("spot", inside, 30), full * std::pow(share, 4), kSixDigits);
+}
+
+TEST(SceneTrees, ASpotWithNeitherLooksAlongItsTransform) {
+  const std::string inside =
+      "<transform name=\"toWorld\"><rotate axis=\"1 0 0\" angle=\"-90\"/></transform>" +
+      number("thetaMax", 30) + number("thetaFall", 10);
+  EXPECT_NEAR(arriving("spot", inside, 10), 1000.0, kSixDigits);
+  EXPECT_NEAR(arriving("spot", inside, 25), 500.0, 1e-3);
+}
+
+TEST(SceneTrees, ASpotNeedsADirection) {
+  const SceneFiles files;
+  EXPECT_NE(files
+                .errors(scene("<emitter type=\"spotlight\"><color name=\"power\" value=\"1 1 1\"/>"
+                              "<vector name=\"direction\" value=\"0 0 0\"/></emitter>"))
+                .find("direction has no direction"),
+            std::string::npos);
+}
+
+TEST(SceneTrees, ADirectionalLightArrivesUndiminished) {
+  const SceneFiles files;
+  const std::string text =
+      "<emitter type=\"directional\"><vector name=\"direction\" value=\"0 -2 0\"/>"
+      "<color name=\"power\" value=\"1 2 3\"/></emitter>";
+  const Scene s = files.load(scene(text + "<mesh type=\"sphere\"/>")).scene;
+  const PointLight& light = s.lights.at(0);
+  for (const glm::dvec3 from : {glm::dvec3(0.0), glm::dvec3(5.0, -7.0, 1.0)}) {
+    const auto sample = light.row->sample(light, from, 9.0);
+    EXPECT_EQ(sample.radiance, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(sample.position, from + glm::dvec3(0, 9, 0));
+  }
+}
+
+TEST(SceneTrees, ADirectionalLightWithAnAngleIsADisk) {
+  const SceneFiles files;
+  const std::string text =
+      "<emitter type=\"directional\"><vector name=\"direction\" value=\"1 -2 3\"/>"
+      "<color name=\"radiance\" value=\"1 2 3\"/>" +
+      number("angle", 1) + "</emitter>";
+  const Scene s = files.load(scene(text + "<mesh type=\"sphere\"/>")).scene;
+  EXPECT_TRUE(s.lights.empty());
+  const Environment& disk = s.environment.value();
+  EXPECT_EQ(disk.row->background(disk, {-1, 2, -3}), glm::dvec3(1, 2, 3));
+  EXPECT_EQ(disk.row->background(disk, {-1, 2.2, -3}), glm::dvec3(0.0));
+}
+
+TEST(SceneTrees, AFloatIsAGreyColorAndPropertiesHaveOtherNames) {
+  const SceneFiles files;
+  const auto bsdf = [&](const std::string& text) {
+    return files.load(scene("<mesh type=\"sphere\">" + text + "</mesh>")).scene.meshes.at(0).bsdf;
+  };
+  const std::string metal = "<bsdf type=\"conductor\">" + number("eta", 0.25) + "</bsdf>";
+  EXPECT_EQ(bsdf(metal).color("eta"), glm::dvec3(0.25));
+  const Bsdf disney = bsdf(
+      "<bsdf type=\"disneyBSDF\"><color name=\"albedo\" value=\"0.1 0.2 0.3\"/>"
+      "<texture type=\"checkerboard_float\" name=\"metallicmap\"/></bsdf>");
+  EXPECT_EQ(disney.color("baseColor"), glm::dvec3(0.1, 0.2, 0.3));
+  EXPECT_NE(disney.texture("metallic"), nullptr);
+  EXPECT_NE(bsdf("<bsdf type=\"disney\"><texture type=\"checker\" name=\"albedo\"/></bsdf>")
+                .texture("baseColor"),
+            nullptr);
+}
+
+TEST(SceneTrees, TheLookatOfNori1ShrinksByTheAngleBetweenUpAndView) {
+  const SceneFiles files;
+  const std::string text =
+      "<scene><integrator type=\"normals\"/><camera type=\"perspective\"><transform "
+      "name=\"toWorld\"><lookat origin=\"0 3 4\" target=\"0 0 0\" up=\"0 2 0\"/></transform>"
+      "</camera></scene>";
+  const auto left = [&](const char* dialect) {
+    return glm::length(files.load(text, inDialect(dialect)).scene.camera.toWorld[0]);
+  };
+  EXPECT_NEAR(left("eth"), 1.0, 1e-15);
+  EXPECT_NEAR(left("nori1"), 0.8, 1e-15);  // the view falls by 3 on 5
 }
 
 Camera cameraOf(const std::string& inside, const char* type = "perspective") {

@@ -180,6 +180,23 @@ BoundsOf::Local BoundsOf::onSphere(dvec2 film, const Reference::Hit& hit,
   return local;
 }
 
+/// Change of a spot light's share where its intensity falls; at most 1. The slope of a fourth power
+/// is at most 4.
+double edgeOf(const PointLight& light, const dvec3& position, const dvec3& point, double shift) {
+  if (light.row != &emitters::spot) return 0.0;
+  const dvec3 away = point - position;
+  const double d = std::max(glm::length(away), 1e-30);
+  const double along = glm::dot(light.axis, away) / d;
+  const double outer = std::cos(glm::radians(light.outer));
+  const double inner = std::cos(glm::radians(light.inner));
+  // The angle changes by no more than shift / d; it is the cosine's change over its sine.
+  const double sine = std::sqrt(std::max(1.0 - along * along, e));
+  const double change =
+      (8.0 * e + 2.0 * (shift + e * (maxNorm(point) + maxNorm(position))) / d) / sine;
+  if (along < outer - change || along > inner + change) return 8.0 * change;
+  return std::min(1.0, 4.0 * change / std::max(inner - outer, change));
+}
+
 ValueBounds BoundsOf::at(dvec2 film, const Reference::Hit& hit) const {
   auto mesh = scene_.meshes.begin();
   std::size_t number = hit.triangle;
@@ -196,11 +213,15 @@ ValueBounds BoundsOf::at(dvec2 film, const Reference::Hit& hit) const {
   const dvec3 point = space_.apply(hit.position);
   for (const PointLight& light : scene_.lights) {
     const dvec3 position = space_.apply(light.position);
-    const double d = std::max(glm::length(position - point), 1e-30);
-    const double power = maxNorm(light.radiance) * space_.scale * space_.scale / (d * d);
+    const bool directional = light.row == &emitters::directional;
+    const double d = directional ? 1.0 : std::max(glm::length(position - point), 1e-30);
+    const double power =
+        maxNorm(light.radiance) * (directional ? 1.0 : space_.scale * space_.scale / (d * d));
     const double relative =
         8.0 * e + local.normal + 3.0 * (local.shift + e * (maxNorm(point) + maxNorm(position))) / d;
-    bounds.radiance += power / pi * (albedo.largest * relative + albedo.change);
+    bounds.radiance +=
+        power / pi *
+        (albedo.largest * (relative + edgeOf(light, position, point, local.shift)) + albedo.change);
   }
   return bounds;
 }

@@ -20,7 +20,7 @@ glm::dvec3 directWhitted(const CameraSample& sample) {
   const BsdfPoint point(surface.mesh->bsdf, surface.textureUv, surface.shading);
   const glm::dvec3 wi = glm::normalize(-sample.direction);
   for (const PointLight& light : sample.world.lights()) {
-    const LightSample arriving = light.row->sample(light, surface.position);
+    const LightSample arriving = light.row->sample(light, surface.position, sample.world.extent());
     const glm::dvec3 toLight = arriving.position - surface.position;
     const double squared = glm::dot(toLight, toLight);
     if (squared == 0.0) continue;
