@@ -18,12 +18,14 @@ struct Facts {
     for (const Mesh& mesh : s.meshes) {
       spheres += mesh.sphere ? 1 : 0;
       normals += mesh.normals.size();
+      lamps += mesh.light ? 1 : 0;
       uvs += mesh.uvs.size();
     }
     for (const PictureChoice& picture : c.pictures) {
       const TraceKey& key = picture.key;
       hasSpheres |= key.spheres;
-      coloured |= !key.bsdfs.empty() && (key.lights || key.background == "none");
+      followsPaths |= picture.integrator.row->needs.emitters;
+      coloured |= !key.bsdfs.empty() && (key.lights || key.background == "none" || followsPaths);
       byteImages |= key.byteImages;
       floatImages |= key.floatImages;
       if (key.background != "none") background = key.background;
@@ -49,8 +51,9 @@ struct Facts {
   const Choices& choices;
   const Uploads& uploads;
   const TraceKey& first;
-  std::uint64_t primitives = 0, spheres = 0, normals = 0, uvs = 0;
+  std::uint64_t primitives = 0, spheres = 0, normals = 0, uvs = 0, lamps = 0;
   bool hasSpheres = false, coloured = false, lit = false, byteImages = false, floatImages = false;
+  bool followsPaths = false;  ///< light comes from all emitters
   std::string background = "none";
 };
 
@@ -66,7 +69,7 @@ Reason integrator(const Facts& f) {
 
 Reason rays(const Facts& f) {
   const bool unlit = f.choices.pictures.size() == 1 && f.scene.integrator.row->needs.lights &&
-                     f.scene.lights.empty();
+                     f.scene.lights.empty() && !f.followsPaths;
   if (f.traced())
     return {"camera rays", "traced", unlit ? "misses are visible" : "hits are visible", "", 0};
   return {"camera rays", "none traced", "a scene without lights is black",
@@ -82,7 +85,7 @@ Reason spheres(const Facts& f) {
 Reason normals(const Facts& f) {
   if (f.uploads.normals)
     return {"vertex normals", countOf(f.normals, "normal"),
-            f.lit ? "shading reads them" : "the integrator shows them", "", 0};
+            f.lit || f.followsPaths ? "shading reads them" : "the integrator shows them", "", 0};
   const std::uint64_t bytes = f.traced() ? (f.normals + 1) * sizeof(glm::vec4) +
                                                f.attributeBytes(true, indexBytesOf(f.scene, true)) -
                                                f.attributeBytes()
@@ -153,6 +156,8 @@ Reason background(const Facts& f) {
             "", 0};
   if (f.background == "constant")
     return {"background", "one radiance", "it has no image", "a direction's place in one", 0};
+  if (f.background == "distantdisk")
+    return {"background", "a disk", "the scene's distantdisk", "an image", 0};
   return {"background", "an image", "the scene's environment", "", 0};
 }
 
@@ -176,6 +181,12 @@ Reason indices(const Facts& f) {
 
 Reason lights(const Facts& f) {
   const std::size_t lights = f.scene.lights.size();
+  if (f.followsPaths)
+    return {"lights",
+            fmt::format("{}, {} that {}{}", countOf(lights, "light"),
+                        countOf(f.lamps, "mesh", "meshes"), f.lamps == 1 ? "emits" : "emit",
+                        f.background == "none" ? "" : ", the background"),
+            fmt::format("{} follows paths", f.scene.integrator.row->name), "", 0};
   if (!f.lit)
     return {"lights", "left out",
             lights == 0 ? "the scene has none"
@@ -192,6 +203,7 @@ Reason lights(const Facts& f) {
 }
 
 Reason shadowRays(const Facts& f) {
+  if (f.followsPaths) return {"shadow rays", "the integrator's own", "it follows paths", "", 0};
   if (!f.lit) return {"shadow rays", "none", "no light is shown", "", 0};
   return {"shadow rays", "where n.l > 0 and n.v > 0", "elsewhere no light arrives",
           "those of surfaces that face away", 0};

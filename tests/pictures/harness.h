@@ -86,6 +86,17 @@ inline Scene smallScene(const std::string& name, int width, std::uint32_t sample
   return loadScene(file, overrides).scene;
 }
 
+/// Ready scenes whose differences from the reference can be explained (explain.h): not those of
+/// paths and lenses.
+inline std::vector<std::string> explainedSceneNames() {
+  std::vector<std::string> names = sceneNames();
+  std::erase_if(names, [](const std::string& name) {
+    const Scene scene = smallScene(name, 8, 1);
+    return scene.integrator.row->bounces || scene.camera.row->lens;
+  });
+  return names;
+}
+
 inline Image render(const Scene& scene, const VulkanOptions& vulkan = onTestDevice(),
                     const RenderOptions& options = {}) {
   Stats stats;

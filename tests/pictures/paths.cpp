@@ -109,6 +109,18 @@ TEST_P(Paths, OfASceneWhoseLampsAreBlackAreBlack) {
   EXPECT_EQ(meanOf(render(scene)), 0.0);
 }
 
+TEST(PathScenes, ShowThePathsOfTheTwin) {
+  const std::vector<std::string> explained = explainedSceneNames();
+  int count = 0;
+  for (const std::string& name : sceneNames()) {
+    if (std::find(explained.begin(), explained.end(), name) != explained.end()) continue;
+    SCOPED_TRACE(name);
+    expectPathsOfTheTwin(smallScene(name, 64, 2));
+    ++count;
+  }
+  EXPECT_EQ(count, 4);
+}
+
 INSTANTIATE_TEST_SUITE_P(Integrators, Paths, testing::ValuesIn(bouncing()),
                          [](const auto& row) { return std::string(row.param->name); });
 

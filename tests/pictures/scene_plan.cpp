@@ -111,6 +111,16 @@ TEST(ScenePlan, ListsTexturesBackgroundAndLayers) {
   EXPECT_NE(line(plan, "vertex normals").choice, "left out");
 }
 
+TEST(ScenePlan, SaysWhatPathsMeet) {
+  const ScenePlan box = planScene(smallScene("box-glass.xml", 16, 1), {}, {}, testDeviceInfo());
+  EXPECT_EQ(line(box, "BSDFs").choice, "dielectric, diffuse, mirror");
+  EXPECT_EQ(line(box, "lights").choice, "0 lights, 1 mesh that emits");
+  const ScenePlan lens = planScene(smallScene("lens.xml", 16, 1), {}, {}, testDeviceInfo());
+  EXPECT_EQ(line(lens, "lights").choice, "2 lights, 0 meshes that emit");
+  const ScenePlan sky = planScene(smallScene("open-sky.xml", 16, 1), {}, {}, testDeviceInfo());
+  EXPECT_EQ(line(sky, "lights").choice, "0 lights, 0 meshes that emit, the background");
+}
+
 TEST(ScenePlan, ListsSpheres) {
   const Scene scene = smallScene("spheres.xml", 16, 1);
   const ScenePlan plan = planScene(scene, {}, {}, testDeviceInfo());

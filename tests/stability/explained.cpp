@@ -55,7 +55,7 @@ Mutation mutationOf(const Scene& scene) {
 }
 
 LAVER_STABILITY(Explained, "Every scene against the double reference") {
-  for (const std::string& name : sceneNames()) {
+  for (const std::string& name : explainedSceneNames()) {
     const Scene scene =
         full ? loadScene((scenesFolder() / name).string()).scene : smallScene(name, 192, 1);
     VulkanOptions vulkan;
