@@ -19,7 +19,10 @@ layout(binding = BIND_JUMPS) uniform utextureBuffer jumpTexels;
 layout(binding = BIND_SAMPLES) writeonly buffer SamplesBlock { Stored samples[]; };
 layout(binding = BIND_SAMPLES_Y) writeonly buffer SamplesYBlock { float samplesY[]; };
 layout(binding = BIND_FILM) buffer FilmBlock { FilmPixel filmPixels[]; };
-layout(binding = BIND_STATUS) buffer StatusBlock { Status status; };
+layout(binding = BIND_STATUS) buffer StatusBlock {
+  Status status;
+  uint answers[];
+};
 layout(binding = BIND_SAMPLE_TEXELS) uniform textureBuffer sampleTexels;
 layout(binding = BIND_SAMPLE_Y_TEXELS) uniform textureBuffer sampleYTexels;
 layout(binding = BIND_COUNTS) uniform utextureBuffer countTexels;

@@ -48,6 +48,7 @@ void traceConstants(const TraceKey& key, Text& text) {
   text.flag("HAS_CAPS", key.caps);
   text.flag("HAS_FAR_PARTS", key.farParts);
   text.flag("FAR_CAMERA", key.farCamera);
+  text.flag("WALKS_PORTIONS", key.portions);
   text.flag("HAS_LIGHTS", key.lights);
   text.flag("HAS_SHAPED_LIGHTS", key.shapedLights);
   text.flag("MANY_LIGHTS", key.manyLights);
@@ -135,7 +136,9 @@ std::string traceText(const TraceKey& key, std::string_view main) {
   text.include("resources.glsl");
   text.include("trace/rays.glsl");
   text.include(packet || key.lockstep ? "trace/any_of_subgroup.glsl" : "trace/any_of_lane.glsl");
-  text.include(packet ? "trace/packet.glsl" : "trace/lane.glsl");
+  text.include(packet         ? "trace/packet.glsl"
+               : key.portions ? "trace/portions.glsl"
+                              : "trace/lane.glsl");
   text.append(main);
   return expandIncludes(text.str(), "kernel");
 }

@@ -66,6 +66,7 @@ struct TraceKey {
   bool caps = false;             ///< some sphere is given by its nearest point (shared/cap.h)
   bool farParts = false;         ///< parts of the scene are far from the centre of coordinates
   bool farCamera = false;        ///< camera rays start on a plane before the scene
+  bool portions = false;         ///< lane only: a dispatch answers one query from part of the tree
   bool lights = false;           ///< point lights affect the result
   bool shapedLights = false;     ///< some of them is a spot or a directional light
   bool manyLights = false;       ///< the lights of a pass take several dispatches

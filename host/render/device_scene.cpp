@@ -54,6 +54,20 @@ void DeviceScene::upload(const shared::Params& params) const {
   params_.upload(std::as_bytes(std::span(&params, 1)));
 }
 
+void DeviceScene::upload(std::span<const shared::Node> nodes) {
+  upload(DeviceArray{shared::BIND_NODES, "BVH nodes", std::as_bytes(nodes), kTexels, 0, false});
+}
+
+void DeviceScene::reserveAnswers(std::uint64_t answers) {
+  const VkDeviceSize bytes = sizeof(shared::Status) + answers * sizeof(std::uint32_t);
+  if (bytes <= status_.bytes()) return;
+  std::vector<std::byte> kept(status_.bytes());
+  status_.download(kept);
+  status_ = Buffer(device_, "answers to queries", Buffer::Use::Storage, bytes);
+  status_.upload(kept);
+  bindings_.bind(shared::BIND_STATUS, status_);
+}
+
 void DeviceScene::upload(std::span<const shared::Count> counts) {
   refill(counts_, shared::BIND_COUNTS, "sample counts", std::as_bytes(counts));
 }

@@ -24,6 +24,10 @@ class DeviceScene {
 
   /// Sets the parameters of the following dispatches.
   void upload(const shared::Params& params) const;
+  /// Replaces the nodes by those of another tree of the same primitives.
+  void upload(std::span<const shared::Node> nodes);
+  /// Makes room for answers behind the status (trace/portions.glsl) and keeps the existing ones.
+  void reserveAnswers(std::uint64_t answers);
   /// Buffers of adaptive sampling: the counts of a band's cells, and the work of a pass.
   void upload(std::span<const shared::Count> counts);
   void upload(std::span<const shared::Work> work);

@@ -23,10 +23,6 @@ glm::uvec4 within(const Crop& part, const glm::uvec4& area) {
   return edges - glm::uvec4(area.x, area.y, area.x, area.y);
 }
 
-std::span<const std::byte> bytes(const shared::Pass& pass) {
-  return std::as_bytes(std::span(&pass, 1));
-}
-
 /// Uploads the scene and clears the film, while kernels may be compiling.
 DeviceScene uploaded(const Device& device, const Packed& packed, const Choices& choices,
                      double& seconds) {
@@ -79,7 +75,8 @@ void Frame::compileTrace(Traversal traversal) {
   const Stopwatch watch(work_.compileSeconds);
   TraceKey key = picture_->key;
   key.traversal = traversal;
-  key.stack = stackFor(key.stack, packed_.bvh.stack);
+  key.portions = portions_.has_value();
+  key.stack = stackFor(key.stack, key.portions ? portions_->stack : packed_.bvh.stack);
   kernels_.trace = compileKernel(device_, onDevice_.bindings(), compose(key));
   work_.modules.push_back(kernels_.trace.source);
 }
@@ -144,19 +141,15 @@ void Frame::forgetDropped() {
   onDevice_.status().upload(std::as_bytes(std::span(&status_, 1)));
 }
 
-/// If a packet exceeds the loop iterations that an invocation may run, this pass is traced again,
-/// and all later ones are traced, with `lane`. The bits are the same.
+/// If loops were cut short, this pass is traced again, and all later ones are traced, in smaller
+/// steps. The bits are the same.
 void Frame::trace(const shared::Pass& pass) {
   const shared::Status before = status_;
   if (mapped()) listWork(pass);
   dispatchLights(pass);
-  if (status_.incomplete != 0 && isPacket(traversal_)) {
-    traversal_ = Traversal::Lane;
-    work_.fallback =
-        fmt::format("{} packets ran more loops than the driver lets one invocation run",
-                    status_.incomplete / 8);
-    compileTrace(traversal_);
-    onDevice_.status().upload(std::as_bytes(std::span(&before, 1)));
+  while (status_.incomplete != 0 && takesSmallerSteps()) {
+    status_ = before;
+    onDevice_.status().upload(std::as_bytes(std::span(&status_, 1)));
     dispatchLights(pass);
   }
   if (status_.incomplete != 0)
@@ -177,22 +170,29 @@ void Frame::dispatchLights(shared::Pass pass) {
     pass.lightCount = std::min(lights - pass.firstLight, shared::LIGHTS_PER_DISPATCH);
     pass.firstDispatch = pass.firstLight == 0 ? 1 : 0;
     pass.lastDispatch = pass.firstLight + pass.lightCount == lights ? 1 : 0;
-    device_.run([&](VkCommandBuffer commands) { dispatchSamples(commands, pass); });
+    if (portions_) {
+      dispatchPortions(pass);
+    } else {
+      const std::vector<Dispatch> dispatches = tracing(pass);
+      device_.run([&](VkCommandBuffer commands) {
+        for (const Dispatch& dispatch : dispatches)
+          record(commands, kernels_.trace.kernel, dispatch);
+      });
+    }
     pass.firstLight += pass.lightCount;
   } while (pass.firstLight < lights);
   onDevice_.status().download(std::as_writable_bytes(std::span(&status_, 1)));
 }
 
-/// Dispatches with decreasing numbers of samples side by side: 64, 16, 4 or 1 per pixel in a tile
-/// of 64.
-void Frame::dispatchSamples(VkCommandBuffer commands, shared::Pass pass) const {
-  const Kernel& kernel = kernels_.trace.kernel;
+/// Decreasing numbers of samples side by side: 64, 16, 4 or 1 per pixel in a tile of 64.
+std::vector<Frame::Dispatch> Frame::tracing(shared::Pass pass) const {
+  std::vector<Dispatch> dispatches;
   pass.part = {0, 0, pass.region.z, pass.region.w};
   pass.dispatchSample = 0;
   for (std::size_t i = 0; i < kShifts.size(); ++i) {
     pass.sideShift = kShifts[i];
     if (mapped()) {
-      dispatchListed(commands, kernel, pass, tracing_[i]);
+      if (tracing_[i].rows != 0) dispatches.push_back(listed(pass, tracing_[i]));
       continue;
     }
     const std::uint32_t count = (pass.sampleCount - pass.dispatchSample) >> pass.sideShift;
@@ -202,11 +202,16 @@ void Frame::dispatchSamples(VkCommandBuffer commands, shared::Pass pass) const {
       pass.part = within(part, pass.region);
       pass.tileRows = groups(pass.part.w - pass.part.y, side);
       pass.rowStride = rowStride(pass.tileRows);
-      kernel.dispatch(commands, onDevice_.bindings(), bytes(pass),
-                      {groups(pass.part.z - pass.part.x, side), pass.tileRows, count});
+      dispatches.push_back({pass, {groups(pass.part.z - pass.part.x, side), pass.tileRows, count}});
     }
     pass.dispatchSample += count << pass.sideShift;
   }
+  return dispatches;
+}
+
+void Frame::record(VkCommandBuffer commands, const Kernel& kernel, const Dispatch& dispatch) const {
+  kernel.dispatch(commands, onDevice_.bindings(), std::as_bytes(std::span(&dispatch.pass, 1)),
+                  dispatch.groups);
 }
 
 void Frame::gather(const shared::Pass& given) {
@@ -218,15 +223,17 @@ void Frame::gather(const shared::Pass& given) {
     const Kernel& kernel = kernels_.gather.kernel;
     if (mapped()) {
       pass.part = {0, 0, pass.core.z, pass.core.w};
-      return dispatchListed(commands, kernel, pass, gathering_);
+      if (gathering_.rows != 0) record(commands, kernel, listed(pass, gathering_));
+      return;
     }
     for (const Crop& part : gathered_) {
       pass.part = within(part, pass.core);
       // Strips begin at blocks of slots, or halfway, and thus some columns before the part.
       const std::uint32_t columns = pass.part.z - pass.part.x + pass.core.x - pass.region.x;
-      kernel.dispatch(commands, onDevice_.bindings(), bytes(pass),
-                      {groups(columns, shared::GATHER_GROUP),
-                       groups(pass.part.w - pass.part.y, pass.stripRows), 1});
+      record(commands, kernel,
+             {pass,
+              {groups(columns, shared::GATHER_GROUP),
+               groups(pass.part.w - pass.part.y, pass.stripRows), 1}});
     }
   });
 }
@@ -241,11 +248,9 @@ void Frame::listWork(const shared::Pass& pass) {
   onDevice_.upload(list);
 }
 
-void Frame::dispatchListed(VkCommandBuffer commands, const Kernel& kernel, shared::Pass pass,
-                           const WorkRange& work) const {
-  if (work.rows == 0) return;
+Frame::Dispatch Frame::listed(shared::Pass pass, const WorkRange& work) {
   pass.firstWork = work.first;
-  kernel.dispatch(commands, onDevice_.bindings(), bytes(pass), {work.columns, work.rows, 1});
+  return {pass, {work.columns, work.rows, 1}};
 }
 
 }  // namespace laver

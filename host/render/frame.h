@@ -1,8 +1,10 @@
 #pragma once
 #include <array>
 #include <future>
+#include <optional>
 #include <string>
 
+#include "bvh/portions.h"
 #include "render/coverage.h"
 #include "render/device_scene.h"
 #include "render/render_kernels.h"
@@ -16,7 +18,7 @@ struct FrameWork {
   std::uint64_t samples = 0;
   double uploadSeconds = 0, compileSeconds = 0, traceSeconds = 0, gatherSeconds = 0;
   std::vector<ModuleSource> modules;  ///< sources of its kernels, in the order of compilation
-  std::string fallback;               ///< why the traversal changed to `lane`; empty: it did not
+  std::string fallback;  ///< why rays were traced in smaller steps; empty: they were not
 };
 
 /// The film on the device: traces passes of samples of a band and gathers them into the band's
@@ -72,10 +74,22 @@ class Frame {
   bool mapped() const { return map_ != nullptr && picture_->key.adaptive; }
   int apron() const { return static_cast<int>(choices_.gather.apron); }
   void compileTrace(Traversal traversal);
+  /// A dispatch of a kernel: its push constants and the number of workgroups.
+  struct Dispatch {
+    shared::Pass pass;
+    std::array<std::uint32_t, 3> groups;
+  };
+  std::vector<Dispatch> tracing(shared::Pass pass) const;
+  static Dispatch listed(shared::Pass pass, const WorkRange& work);
+  void record(VkCommandBuffer commands, const Kernel& kernel, const Dispatch& dispatch) const;
   void dispatchLights(shared::Pass pass);
-  void dispatchSamples(VkCommandBuffer commands, shared::Pass pass) const;
-  void dispatchListed(VkCommandBuffer commands, const Kernel& kernel, shared::Pass pass,
-                      const WorkRange& work) const;
+
+  // Of frame_portions.cpp.
+  bool takesSmallerSteps();
+  void dispatchPortions(const shared::Pass& pass);
+  bool answerQueries(Dispatch dispatch);
+  std::vector<Dispatch> split(const Dispatch& whole) const;
+
   void planParts(const shared::Pass& pass);
   void listWork(const shared::Pass& pass);
   shared::Params paramsOf(const IntegratorUse& integrator) const;
@@ -89,7 +103,8 @@ class Frame {
   FrameWork work_;
   DeviceScene onDevice_;
   Traversal traversal_;
-  const Coverage covered_;  ///< pixels that the scene covers
+  std::optional<Portions> portions_;  ///< set once walks of `lane` were cut short
+  const Coverage covered_;            ///< pixels that the scene covers
   Kernels kernels_;
   const PictureChoice* picture_ = nullptr;
   shared::Status status_{};

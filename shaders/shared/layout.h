@@ -17,7 +17,7 @@ LAVER_CONST uint BIND_JUMPS = 7;           // T Jump
 LAVER_CONST uint BIND_SAMPLES = 8;         // S vec4, one per sample: r, g, b, x in the pixel
 LAVER_CONST uint BIND_SAMPLES_Y = 9;       // S float, one per sample: y inside its pixel
 LAVER_CONST uint BIND_FILM = 10;           // S FilmPixel
-LAVER_CONST uint BIND_STATUS = 11;         // S Status
+LAVER_CONST uint BIND_STATUS = 11;         // S Status, answers
 LAVER_CONST uint BIND_SAMPLE_TEXELS = 12;  // T of vec4: BIND_SAMPLES, for reading
 LAVER_CONST uint BIND_SAMPLE_Y_TEXELS = 13;  // T of vec4: BIND_SAMPLES_Y, for reading
 LAVER_CONST uint BIND_COUNTS = 14;    // T Count, one per cell of the region; adaptive sampling only
@@ -240,6 +240,12 @@ struct Params {
   ImageRef backgroundImage;
 };
 
+// Maximum number of primitives of a portion of the tree. If the 8 lanes of a subgroup visit all of
+// them one after another, at 5 iterations for a primitive and its nodes, a walk takes 40,960, below
+// MAX_ITERATIONS.
+LAVER_CONST uint PORTION_PRIMITIVES = 1024;
+LAVER_CONST uint ALL_ANSWERED = 0xffffffffu;
+
 // Push constants of the trace and gather kernels. Booleans are 0 or 1.
 struct Pass {
   uvec4 region;  // x, y, width, height in film pixels: traced, apron included
@@ -259,6 +265,12 @@ struct Pass {
   uint lightCount;
   uint firstDispatch;  // 1 for the first dispatch of the pass, if its lights take several
   uint lastDispatch;
+  // Of trace/portions.glsl: the query that the dispatch answers, the portion of the tree that it
+  // walks, or ALL_ANSWERED, and the portion's root.
+  uint query;
+  uint portion;
+  uint root;
+  uint pad;
 };
 
 // Compensated sums: value = sum + rest; rgb is weighted radiance, a the weight. With
@@ -273,6 +285,7 @@ struct FilmPixel {
 struct Status {
   uint dropped;     // samples not finite or negative, in the core
   uint incomplete;  // invocations whose loops were cut short
+  uint queries;     // maximum number of queries of an invocation (trace/portions.glsl)
 };
 
 #ifdef __cplusplus
@@ -285,9 +298,9 @@ static_assert(sizeof(Light) == 48 && offsetof(Light, radiance) == 16);
 static_assert(sizeof(Jump) == 16 && sizeof(Emission) == 16 && sizeof(Source) == 16);
 static_assert(sizeof(Count) == 16 && sizeof(Work) == 16);
 static_assert(sizeof(Params) == 496 && offsetof(Params, filmSize) == 80);
-static_assert(sizeof(Pass) == 96);
+static_assert(sizeof(Pass) == 112);
 static_assert(sizeof(FilmPixel) == 32);
-static_assert(sizeof(Status) == 8);
+static_assert(sizeof(Status) == 12);
 #endif
 
 LAVER_SHARED_END

@@ -5,7 +5,8 @@ Hits closest(Rays rays) {
   Hits hits;
   for (uint r = 0u; r < R; ++r)
     hits.slot[r] =
-        closestLane(rays.origin[r], rays.direction[r], rays.tmin[r], rays.tmax[r], rays.isActive[r]);
+        closestLane(rays.origin[r], rays.direction[r], rays.tmin[r], rays.tmax[r], rays.isActive[r],
+                    NO_HIT);
   return hits;
 }
 

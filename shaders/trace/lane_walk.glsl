@@ -87,45 +87,58 @@ bool isAhead(LaneRay ray, vec3 direction, LaneTriangle t) {
   return (side > 0.0 && along > 0.0) || (side < 0.0 && along < 0.0);
 }
 
-// The slot of the nearest primitive that the ray hits, or NO_HIT.
-uint closestLane(vec3 origin, vec3 direction, float tmin, float tmax, bool isActive) {
+// Tests the primitive of a slot and updates the nearest hit. Returns how many of its leaf follow.
+uint testSlot(LaneRay ray, vec3 direction, uint slot, inout float last, inout uint best, inout uint bestId) {
+  const LaneTriangle t = loadTriangle(ray, slot);
+  Edges e = edgesOf(ray.shear, t.pa, t.pb, t.pc);
+  float depth = depthOf(e, t.pa.z, t.pb.z, t.pc.z);
+  if (HAS_FAR_PARTS) e.inside = e.inside && passesCorners(ray.shear, t.pa, t.pb, t.pc);
+  if (HAS_SPHERES && t.sphere) {
+    const Chord chord = chordOf(ray.shear, t.pa, t.ends, t.b.x);
+    depth = depthOn(chord, ray.first);
+    e.inside = chord.hit;
+    if (BOUNCES && ray.first == 0.0) {
+      const bool startsOutside = outside(t.pa, t.b.x);
+      e.inside = chord.hit && (!startsOutside || chord.middle > 0.0);
+      depth = greater(startsOutside ? chord.near : chord.far, 0.0);
+    }
+  } else if (BOUNCES && ray.first == 0.0) {
+    e.inside = e.inside && isAhead(ray, direction, t);
+    depth = greater(depth, 0.0);
+  }
+  // Equal depths: the smaller id, that is file order.
+  if (e.inside && depth >= ray.first && depth <= last && (depth < last || t.id < bestId)) {
+    last = depth;
+    best = slot;
+    bestId = t.id;
+  }
+  return t.more;
+}
+
+uint rootOfWalk() { return WALKS_PORTIONS ? pass.root : params.root; }
+
+// The slot of the nearest primitive that the ray hits, or NO_HIT, where `known` is the nearest of an earlier
+// portion of the tree, or NO_HIT.
+uint closestLane(vec3 origin, vec3 direction, float tmin, float tmax, bool isActive, uint known) {
   const LaneRay ray = laneRay(origin, direction, tmin);
   float last = isActive ? tmax * abs(alongAxis(direction, ray.shear.axis)) : NEVER;
   uint best = NO_HIT, bestId = NO_HIT;
+  if (WALKS_PORTIONS) {
+    // Caps are tested in each portion.
+    const bool inTree = known != NO_HIT && (!HAS_CAPS || known < params.firstCap);
+    if (inTree) testSlot(ray, direction, known, last, best, bestId);
+  }
   if (HAS_CAPS)
     meetCaps(origin, direction, abs(alongAxis(direction, ray.shear.axis)), ray.first, last, best,
              bestId);
-  uint ref = params.root;
+  uint ref = rootOfWalk();
   stacked = 0u;
   do {
     do ref = enterNode(ray, ref, last); while (ref < REF_LEAF);
     do {
       uint slot = slotOf(ref), more;
       do {
-        const LaneTriangle t = loadTriangle(ray, slot);
-        Edges e = edgesOf(ray.shear, t.pa, t.pb, t.pc);
-        float depth = depthOf(e, t.pa.z, t.pb.z, t.pc.z);
-        if (HAS_FAR_PARTS) e.inside = e.inside && passesCorners(ray.shear, t.pa, t.pb, t.pc);
-        if (HAS_SPHERES && t.sphere) {
-          const Chord chord = chordOf(ray.shear, t.pa, t.ends, t.b.x);
-          depth = depthOn(chord, ray.first);
-          e.inside = chord.hit;
-          if (BOUNCES && ray.first == 0.0) {
-            const bool startsOutside = outside(t.pa, t.b.x);
-            e.inside = chord.hit && (!startsOutside || chord.middle > 0.0);
-            depth = greater(startsOutside ? chord.near : chord.far, 0.0);
-          }
-        } else if (BOUNCES && ray.first == 0.0) {
-          e.inside = e.inside && isAhead(ray, direction, t);
-          depth = greater(depth, 0.0);
-        }
-        // Equal depths: the smaller id, that is file order.
-        if (e.inside && depth >= ray.first && depth <= last && (depth < last || t.id < bestId)) {
-          last = depth;
-          best = slot;
-          bestId = t.id;
-        }
-        more = t.more;
+        more = testSlot(ray, direction, slot, last, best, bestId);
         slot++;
       } while (more > 0u);
       ref = pop(last);
@@ -150,7 +163,7 @@ bool unoccludedLane(vec3 point, vec3 direction, bool toLight, vec3 light, bool i
   // The depth of the end; the slack covers the rounding of light - point.
   const float last =
       isActive && !blocked ? alongAxis(abs(direction), ray.shear.axis) * DEPTH_SLACK : NEVER;
-  uint ref = params.root;
+  uint ref = rootOfWalk();
   stacked = 0u;
   do {
     do ref = enterNode(ray, ref, last); while (ref < REF_LEAF);

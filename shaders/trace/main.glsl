@@ -2,6 +2,7 @@
 // sample. The integrator defines integrate(), which adds the radiance along each ray to `radiance`; in scenes
 // with many lights it is called once for every few of them.
 #include "trace/camera_rays.glsl"
+#include "trace/queries.glsl"
 
 bool finiteAndNotNegative(float x) {
   const uint bits = floatBitsToUint(x);
@@ -45,14 +46,16 @@ void main() {
   }
   integrate(rays, hits, radiance);
 
+  const bool writes = !WALKS_PORTIONS || pass.portion == ALL_ANSWERED;
+  if (!writes) atomicMax(status.queries, queries);
   const bool last = !MANY_LIGHTS || pass.lastDispatch != 0u;
   uint dropped = 0u;
   FOR_RAYS (uint r = 0u; r < R; ++r) {
     const bool keep = !last || usable(radiance[r]);
     const uvec2 corePixel = pass.region.xy + rayPlace(tile, r).xy - pass.core.xy;
-    dropped += !keep && rays.isActive[r] && all(lessThan(corePixel, pass.core.zw)) ? 1u : 0u;
+    dropped += writes && !keep && rays.isActive[r] && all(lessThan(corePixel, pass.core.zw)) ? 1u : 0u;
     const vec4 result = keep ? vec4(radiance[r], inside[r].x) : vec4(0.0, 0.0, 0.0, DROPPED);
-    if (rays.isActive[r]) {
+    if (writes && rays.isActive[r]) {
       samples[slot[r]] = stored(result);
       samplesY[slot[r]] = inside[r].y;
     }

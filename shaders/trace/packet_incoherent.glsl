@@ -18,7 +18,7 @@ Hits closest(Rays rays) {
       tmin = next ? rays.tmin[r] : tmin;
       tmax = next ? rays.tmax[r] : tmax;
     }
-    const uint slot = closestLane(origin, direction, tmin, tmax, bit != 0u);
+    const uint slot = closestLane(origin, direction, tmin, tmax, bit != 0u, NO_HIT);
     FOR_RAYS (uint r = 0u; r < R; ++r) hits.slot[r] = bit == 1u << r ? slot : hits.slot[r];
     waiting ^= bit;
   } while (waiting != 0u);
