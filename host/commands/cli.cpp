@@ -56,7 +56,10 @@ void addOverrides(CLI::App& app, SceneCommand& command) {
   addName(app, "--filter", "reconstruction filter: ", namesIn(filterRows()),
           [&overrides](const FilterRow* row) { overrides.filter = row; });
   addName(app, "--dialect", "course whose meaning the scene has: ", namesIn(dialects()),
-          [&overrides](const Dialect* dialect) { overrides.dialect = dialect; });
+          [&overrides](const Dialect* dialect) {
+            overrides.dialect = dialect;
+            overrides.dialectNamed = true;
+          });
 }
 
 /// Options of a render, apart from its files.

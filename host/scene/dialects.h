@@ -1,4 +1,7 @@
 #pragma once
+#include <string_view>
+#include <vector>
+
 #include "scene/rows.h"
 
 namespace laver {
@@ -16,6 +19,10 @@ enum class Sky {
 struct Dialect {
   const char* name;
   std::vector<const char*> spellings{};
+  /// Tags, or tags with types, that no other family has: a scene with one of them that is rendered
+  /// without --dialect causes a hint.
+  std::vector<std::string_view> vocabulary{};
+  const char* difference = "";   ///< for that hint: what the dialect changes
   bool mirrored = false;         ///< the camera's +x is on the right of the film, not on the left
   bool scaledLookAt = false;     ///< <lookat> shrinks left and up by the sine between up and view
   double occlusionLength = 0.0;  ///< of `ao`, in diagonals of the scene; 0: endless

@@ -45,6 +45,7 @@ void Reader::readScene(pugi::xml_node root) {
   findIntegrator(root);
   checkAttributes(root, {}, source_, diagnostics_);
   checkDialect(root);
+  hintAtDialect(root);
   Properties none(kScene, at(root), diagnostics_);
   readChildren(root, &none, "scene");
   if (!root.child("camera")) buildDefault("camera", knownTypes("camera").front(), at(root));
@@ -282,6 +283,35 @@ void Reader::checkDialect(pugi::xml_node root) {
                                                tag));
       return;
     }
+}
+
+/// Warns once, at the first word that one family alone has.
+void Reader::hintAtDialect(pugi::xml_node root) {
+  if (draft_.overrides.dialectNamed) return;
+  struct Finder : pugi::xml_tree_walker {
+    bool for_each(pugi::xml_node& node) override {
+      const std::string tag = node.name();
+      const std::string both = tag + ' ' + node.attribute("type").value();
+      for (const Dialect* dialect : dialects())
+        for (const std::string_view word : dialect->vocabulary)
+          if (word == tag || word == both) {
+            found = node;
+            meant = dialect;
+            what = std::string(word);
+            return false;
+          }
+      return true;
+    }
+    pugi::xml_node found;
+    const Dialect* meant = nullptr;
+    std::string what;
+  } finder;
+  root.traverse(finder);
+  if (finder.meant != nullptr)
+    diagnostics_.warning(
+        at(finder.found),
+        fmt::format("{} belongs to the courses of --dialect {}, where {}", inQuotes(finder.what),
+                    finder.meant->name, finder.meant->difference));
 }
 
 }  // namespace laver::xml

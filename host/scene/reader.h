@@ -26,6 +26,7 @@ class Reader {
   void addProperties(pugi::xml_node node, UserBsdf& user);
   void readUnknownTag(pugi::xml_node node, std::string_view parent);
   void checkDialect(pugi::xml_node root);
+  void hintAtDialect(pugi::xml_node root);
   bool checkPlace(pugi::xml_node node, const TagRule& rule, std::string_view parent);
   bool checkTexture(pugi::xml_node node, const ObjectRule& parent);
   void missing(pugi::xml_node node, Need need, const std::string& message);

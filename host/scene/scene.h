@@ -59,6 +59,7 @@ struct SceneOverrides {
   std::optional<glm::ivec2> size;  ///< width, height in pixels
   bool shading = false;  ///< materials and lights are needed even if the integrator ignores them
   const Dialect* dialect = dialects().front();
+  bool dialectNamed = false;          ///< otherwise a scene of another family causes a hint
   bool noriCompat = false;            ///< textures of 8 and 16 bits are read as linear
   const FilterRow* filter = nullptr;  ///< keeps the scene's parameters if it has that filter
 };

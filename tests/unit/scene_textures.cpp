@@ -27,6 +27,9 @@ class SceneTextures : public testing::Test {
   SceneFiles files_;
 };
 
+/// Without the hint at a dialect.
+const SceneOverrides kNamed{.dialectNamed = true};
+
 TEST_F(SceneTextures, ACheckerHasNorisDefaults) {
   const auto loaded = files_.load(whitted("<texture type=\"checker\" name=\"albedo\"/>"));
   EXPECT_TRUE(loaded.warnings.empty());
@@ -149,7 +152,8 @@ TEST_F(SceneTextures, CoursesWriteScaleAndOffsetInTheirOwnWays) {
   for (const Written& w : all) {
     SCOPED_TRACE(w.type);
     const auto loaded = files_.load(
-        whitted("<texture name=\"albedo\" type=\"" + w.type + "\">" + w.inside + "</texture>"));
+        whitted("<texture name=\"albedo\" type=\"" + w.type + "\">" + w.inside + "</texture>"),
+        kNamed);
     EXPECT_EQ(loaded.warnings.size(), w.type == "image_texture" ? 1U : 0U);
     const Texture* texture = loaded.scene.meshes.at(0).bsdf.texture("albedo");
     ASSERT_NE(texture, nullptr);
@@ -205,7 +209,8 @@ TEST_F(SceneTextures, StandForNumbersAndUnderNamesThatEndInMap) {
                  "name=\"metallic\"/><texture type=\"image_texture_float\" "
                  "name=\"roughnessmap\"><string name=\"filename\" value=\"a.png\"/></texture>"
                  "</bsdf>"),
-            "direct_whitted"));
+            "direct_whitted"),
+      kNamed);
   EXPECT_TRUE(loaded.warnings.empty());
   const Bsdf& bsdf = loaded.scene.meshes.at(0).bsdf;
   EXPECT_NE(bsdf.texture("metallic"), nullptr);

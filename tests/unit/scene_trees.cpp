@@ -190,6 +190,23 @@ TEST(SceneTrees, AFloatIsAGreyColorAndPropertiesHaveOtherNames) {
             nullptr);
 }
 
+TEST(SceneTrees, WordsOfOneFamilyCauseAHintUnlessADialectIsNamed) {
+  const SceneFiles files;
+  const std::string eth =
+      scene("<emitter type=\"point\"><color name=\"power\" value=\"1 1 1\"/></emitter>");
+  EXPECT_EQ(
+      files.warnings(eth),
+      "f.xml:2:2: warning: \"emitter point\" belongs to the courses of --dialect eth, where the "
+      "camera is the mirror image");
+  SceneOverrides named = inDialect("base");
+  named.dialectNamed = true;
+  EXPECT_EQ(files.warnings(eth, named), "");
+  const std::string old = "<scene><integrator type=\"mipath\"/></scene>";
+  EXPECT_NE(files.warnings(old).find("--dialect nori1"), std::string::npos);
+  EXPECT_NE(files.warnings("<scene><integrator type=\"path_nee\"/></scene>").find("zaragoza"),
+            std::string::npos);
+}
+
 TEST(SceneTrees, TheLookatOfNori1ShrinksByTheAngleBetweenUpAndView) {
   const SceneFiles files;
   const std::string text =
