@@ -10,7 +10,7 @@ float spotShare(uvec4 first, uvec4 second, uvec4 third, vec3 away) {
   const vec3 across = crossProduct(axis, unit);
   const float angle = turnOf(sqrt(dotProduct(across, across)), cosine);
   const float from = (shape == LIGHT_SPOT_ANGLE ? -angle : cosine) - uintBitsToFloat(first.w);
-  const float share = clamp(from * uintBitsToFloat(second.w), 0.0, 1.0);
+  const float share = lesser(greater(from * uintBitsToFloat(second.w), 0.0), 1.0);
   if (shape == LIGHT_SPOT_ANGLE) return share;
   const float square = share * share;
   if (shape == LIGHT_SPOT_SQUARE) return square;
