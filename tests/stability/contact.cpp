@@ -25,6 +25,9 @@ struct Contact {
     u = tilted ? glm::normalize(glm::cross(normal, dvec3(0.1, 1.0, 0.2))) : dvec3(1, 0, 0);
     v = glm::cross(normal, u);
     origin = level * normal;
+    // A camera that sees all from outside, so that the scene is an ordinary one: its triangles are
+    // those of the file, unsplit, centred on their box (render/space.h).
+    scene.camera.toWorld[3] = glm::dvec4(0.0, 0.0, -6.0 * scale, 1.0);
     scene.meshes = {gridMesh(4, [&](double x, double y) { return at(0.5 * x, 0.5 * y, 0.0); }),
                     gridMesh(4, [&](double x, double y) { return at(0.3 * x, 0.3 * y, gap); })};
     for (const double corner : {-1.0, 1.0}) {
