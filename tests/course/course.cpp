@@ -15,11 +15,13 @@ struct CoursePicture {
   std::uint32_t samples = 0;  ///< of the picture; 0: the scene's
 };
 
+void PrintTo(const CoursePicture& picture, std::ostream* out) { *out << picture.scene; }
+
 std::string nameOf(const CoursePicture& picture) {
   return std::filesystem::path(picture.scene).filename().string();
 }
 
-class FullCourse : public testing::TestWithParam<CoursePicture> {};
+class Course : public testing::TestWithParam<CoursePicture> {};
 
 Image renderSeed(const CoursePicture& picture, const std::string& file, std::int64_t seed) {
   SceneOverrides overrides;
@@ -33,7 +35,7 @@ Image renderSeed(const CoursePicture& picture, const std::string& file, std::int
   return render(scene);
 }
 
-TEST_P(FullCourse, PictureAgrees) {
+TEST_P(Course, PictureAgrees) {
   const char* folder = std::getenv("LAVER_COURSE_PICTURES");
   if (folder == nullptr) GTEST_SKIP() << "LAVER_COURSE_PICTURES names no folder of pictures";
   const CoursePicture picture = GetParam();
@@ -49,7 +51,7 @@ TEST_P(FullCourse, PictureAgrees) {
 
 // The camera of Nori 1 (dialect nori1) made the pictures of two scenes that a later course uses.
 INSTANTIATE_TEST_SUITE_P(
-    Pictures, FullCourse,
+    Full, Course,
     testing::Values(
         CoursePicture{"eth/pa1/mesh-texture", "eth/pa1/ref/mesh-texture.exr", "eth"},
         CoursePicture{"eth/pa3/sphere/sphere_ems", "eth/pa3/sphere/ref/sphere_ems.exr", "eth"},
