@@ -13,10 +13,10 @@ struct Agreement {
   double difference;  ///< root mean square over blocks and channels, to the published picture
   double noise;       ///< the same between the two renders
 
-  /// Two independent pictures of equal noise differ by `noise` in the mean. Twice as much leaves
-  /// room for a published picture that is noisier by a factor of 1.7, as others choose lights and
-  /// end paths otherwise; a shift of the camera by a pixel is well beyond it. Half a percent is
-  /// half of what an eye tells apart (Weber's fraction of luminance, 1 %).
+  /// Pictures of noise s and t differ by sqrt(s^2 + t^2), and the two renders by sqrt(2) s. Twice
+  /// as much leaves room for t = sqrt(7) s, as other renderers choose lights and end paths
+  /// otherwise. Half a percent of the mean is half of what an eye tells apart (Weber's fraction of
+  /// luminance, 1 %).
   bool holds() const;
   std::string row(const std::string& name) const;  ///< of a Markdown table
 };

@@ -122,9 +122,8 @@ LAVER_STABILITY(Scale, "Scenes whose parts differ much in size") {
   }
 }
 
-TEST(Scale, TimeDoesNotGrowWithTheGround) {
-  // Loop iterations are the work of a walk: a wide ground adds its pieces and no more. So the tree,
-  // which decides, holds no more than a few hundred of them, whatever the size.
+TEST(Scale, AWideGroundAddsFewPieces) {
+  // Each is a test for some rays: no more than some hundreds, whatever the size.
   for (const double size : {1e3, 1e8}) {
     const Scene scene = onGround(size, size, 0.3);
     const std::uint64_t ball = scene.meshes[0].triangles.size();
