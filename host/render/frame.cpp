@@ -12,8 +12,6 @@
 namespace laver {
 namespace {
 
-std::uint32_t groups(std::uint32_t count, std::uint32_t size) { return (count + size - 1) / size; }
-
 /// Fixed cost of a dispatch, in samples.
 constexpr double kDispatchSamples = 1000;
 
@@ -200,9 +198,10 @@ std::vector<Frame::Dispatch> Frame::tracing(shared::Pass pass) const {
     const std::uint32_t side = 8U >> pass.sideShift / 2;
     for (const Crop& part : traced_) {
       pass.part = within(part, pass.region);
-      pass.tileRows = groups(pass.part.w - pass.part.y, side);
+      pass.tileRows = groupsOf(pass.part.w - pass.part.y, side);
       pass.rowStride = rowStride(pass.tileRows);
-      dispatches.push_back({pass, {groups(pass.part.z - pass.part.x, side), pass.tileRows, count}});
+      dispatches.push_back(
+          {pass, {groupsOf(pass.part.z - pass.part.x, side), pass.tileRows, count}});
     }
     pass.dispatchSample += count << pass.sideShift;
   }
@@ -232,8 +231,8 @@ void Frame::gather(const shared::Pass& given) {
       const std::uint32_t columns = pass.part.z - pass.part.x + pass.core.x - pass.region.x;
       record(commands, kernel,
              {pass,
-              {groups(columns, shared::GATHER_GROUP),
-               groups(pass.part.w - pass.part.y, pass.stripRows), 1}});
+              {groupsOf(columns, shared::GATHER_GROUP),
+               groupsOf(pass.part.w - pass.part.y, pass.stripRows), 1}});
     }
   });
 }

@@ -13,10 +13,6 @@ namespace {
 /// 256 KiB per query.
 constexpr std::uint32_t kGroups = 1024;
 
-std::uint32_t quotient(std::uint32_t count, std::uint32_t size) {
-  return (count + size - 1) / size;
-}
-
 }  // namespace
 
 /// First `lane` instead of packets, then one dispatch per query, then one per portion of the tree.
@@ -68,7 +64,7 @@ std::vector<Frame::Dispatch> Frame::split(const Dispatch& whole) const {
       pass.dispatchSample += layer << pass.sideShift;
       pass.part.y += row * side;
       pass.part.w = std::min(pass.part.w, pass.part.y + rowsOfPart * side);
-      pass.tileRows = quotient(pass.part.w - pass.part.y, side);
+      pass.tileRows = groupsOf(pass.part.w - pass.part.y, side);
       pass.rowStride = rowStride(pass.tileRows);
       part.groups = {columns, pass.tileRows, std::min(layersOfPart, layers - layer)};
       parts.push_back(part);

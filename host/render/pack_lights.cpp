@@ -8,22 +8,13 @@
 namespace laver {
 namespace {
 
+using glm::dvec3;
 using glm::vec3;
 
 std::uint32_t shapeOf(const PointLight& light) {
   if (light.row == &emitters::directional) return shared::LIGHT_DIRECTIONAL;
   if (light.row != &emitters::spot) return shared::LIGHT_POINT;
-  switch (light.falloff) {
-    case Falloff::Angle:
-      break;
-    case Falloff::Square:
-      return shared::LIGHT_SPOT_SQUARE;
-    case Falloff::Quartic:
-      return shared::LIGHT_SPOT_QUARTIC;
-    case Falloff::Projected:
-      return shared::LIGHT_SPOT_PROJECTED;
-  }
-  return shared::LIGHT_SPOT_ANGLE;
+  return shared::LIGHT_SPOT_ANGLE + static_cast<std::uint32_t>(light.falloff);
 }
 
 }  // namespace
@@ -43,15 +34,10 @@ shared::Light packedLight(const PointLight& light, const Normalisation& space) {
       static_cast<float>(ramp),          vec3(light.axis),          shape};
 }
 
-double powerOf(const shared::Light& light, double radius) {
-  using namespace shared;
-  const double bright = glm::dot(glm::dvec3(light.radiance), glm::dvec3(0.2126, 0.7152, 0.0722));
-  if (light.shape == LIGHT_DIRECTIONAL) return bright * std::numbers::pi * radius * radius;
-  double cosine = -1.0;
-  if (light.shape == LIGHT_SPOT_ANGLE)
-    cosine = std::cos(2.0 * std::numbers::pi * double{light.outer});
-  else if (light.shape != LIGHT_POINT)
-    cosine = double{light.outer};
+double powerOf(const PointLight& light, double radius) {
+  const double bright = glm::dot(light.radiance, dvec3(0.2126, 0.7152, 0.0722));
+  if (light.row == &emitters::directional) return bright * std::numbers::pi * radius * radius;
+  const double cosine = light.row == &emitters::spot ? std::cos(glm::radians(light.outer)) : -1.0;
   return bright * 2.0 * std::numbers::pi * (1.0 - cosine);
 }
 

@@ -23,8 +23,8 @@ void packSeed(std::int64_t seed, shared::Params& params);
 std::array<glm::vec4, 2> propertiesOf(const IntegratorUse& integrator, const Packed& packed);
 
 shared::Light packedLight(const PointLight& light, const Normalisation& space);
-/// Flux of a light; of a directional one through a disk of this radius.
-double powerOf(const shared::Light& light, double radius);
+/// Flux of a light in the scene's units; of a directional one through a disk of this radius.
+double powerOf(const PointLight& light, double radius);
 
 /// What meshes emit, and the light sources of light sampling; tree, space and lights must be there.
 void packSources(const Scene& scene, Packed& packed);

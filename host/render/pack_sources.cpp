@@ -126,11 +126,12 @@ std::vector<shared::Source> distributed(const std::vector<Weighed>& all, double 
 }  // namespace
 
 void packSources(const Scene& scene, Packed& packed) {
-  // Of a sphere around the scene.
-  const double radius = 0.5 * packed.diagonal * packed.space.scale;
+  // Powers are those of device coordinates, where areas are scale^2 times as large.
+  const double squared = packed.space.scale * packed.space.scale;
   std::vector<Weighed> all;
   for (std::uint32_t i = 0; i < packed.lights.size(); ++i)
-    all.push_back({{shared::SOURCE_POINT, i, 0.0F, 0.0F}, powerOf(packed.lights[i], radius)});
+    all.push_back({{shared::SOURCE_POINT, i, 0.0F, 0.0F},
+                   squared * powerOf(scene.lights[i], 0.5 * packed.diagonal)});
   if (scene.environment) addBackground(scene, packed, all);
   for (const Weighed& primitive : primitives(scene, packed)) all.push_back(primitive);
 

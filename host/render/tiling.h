@@ -55,6 +55,11 @@ inline Crop cropOf(glm::uvec4 r) {
           static_cast<int>(r.y + r.w)};
 }
 
+/// Workgroups of `size` that hold `count`.
+constexpr std::uint32_t groupsOf(std::uint32_t count, std::uint32_t size) {
+  return (count + size - 1) / size;
+}
+
 /// A stride, coprime to `rows` and near 0.618 of it, that visits 0 .. rows - 1 evenly mixed.
 std::uint32_t rowStride(std::uint32_t rows);
 

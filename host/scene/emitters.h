@@ -46,7 +46,8 @@ extern const EmitterRow point, spot, directional, area, constant, environment, d
 
 const Rows<EmitterRow>& emitterRows();
 
-/// How a spot light's intensity falls from its inner to its outer angle.
+/// How a spot light's intensity falls from its inner to its outer angle; in the order of
+/// LIGHT_SPOT_ in shaders/shared/layout.h.
 enum class Falloff {
   Angle,     ///< linearly in the angle
   Square,    ///< as the square of what is linear in the cosine

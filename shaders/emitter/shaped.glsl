@@ -1,4 +1,5 @@
-// Spot and directional lights, each as the point light that a surface sees.
+// Spot and directional lights as the point lights that a position sees in their place: a spot with the share of its
+// intensity that goes there, a directional light from the far end of a line through the scene.
 #include "texture/angle.glsl"
 
 // The share of a spot light's intensity in a direction from it, of any length.
@@ -17,7 +18,7 @@ float spotShare(uvec4 first, uvec4 second, uvec4 third, vec3 away) {
   return square * square * (shape == LIGHT_SPOT_PROJECTED ? greater(cosine, 0.0) : 1.0);
 }
 
-// Of a light in any place of the list.
+// The point light in place of light `number` of the list, which `light` was read from.
 PointLight seenFrom(PointLight light, uint number, vec3 position) {
   if (!HAS_SHAPED_LIGHTS) return light;
   const int texel = int(number) * 3;

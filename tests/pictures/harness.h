@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -95,6 +96,14 @@ inline std::vector<std::string> explainedSceneNames() {
     return scene.integrator.row->bounces || scene.camera.row->lens;
   });
   return names;
+}
+
+inline Mesh quad(const std::array<glm::dvec3, 4>& corners, const glm::dvec3& albedo) {
+  Mesh mesh;
+  mesh.positions.assign(corners.begin(), corners.end());
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  mesh.bsdf.set("albedo", albedo);
+  return mesh;
 }
 
 inline Image render(const Scene& scene, const VulkanOptions& vulkan = onTestDevice(),

@@ -12,14 +12,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-Mesh quad(const std::array<glm::dvec3, 4>& corners, const glm::dvec3& albedo) {
-  Mesh mesh;
-  mesh.positions.assign(corners.begin(), corners.end());
-  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  mesh.bsdf.set("albedo", albedo);
-  return mesh;
-}
-
 Mesh sphere(const glm::dvec3& centre, double radius, const BsdfRow& bsdf) {
   Mesh mesh;
   mesh.sphere = Sphere{centre, radius};

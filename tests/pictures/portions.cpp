@@ -11,14 +11,6 @@ namespace {
 // Enough for lavapipe to cut the walk of one query short, after 65,535 iterations.
 constexpr std::size_t kCopies = 70000;
 
-Mesh quad(const std::array<glm::dvec3, 4>& corners, const glm::dvec3& albedo) {
-  Mesh mesh;
-  mesh.positions.assign(corners.begin(), corners.end());
-  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  mesh.bsdf.set("albedo", albedo);
-  return mesh;
-}
-
 /// A room with a lamp, a mirror and a point light, and a small triangle that is there `copies`
 /// times.
 Scene roomWith(std::size_t copies, const IntegratorRow& integrator) {

@@ -5,6 +5,7 @@
 #include "image/io.h"
 #include "reference/camera.h"
 #include "reference/emitter.h"
+#include "scene/schema.h"
 #include "support/scene_files.h"
 
 namespace laver::test {
@@ -205,6 +206,18 @@ TEST(SceneTrees, WordsOfOneFamilyCauseAHintUnlessADialectIsNamed) {
   EXPECT_NE(files.warnings(old).find("--dialect nori1"), std::string::npos);
   EXPECT_NE(files.warnings("<scene><integrator type=\"path_nee\"/></scene>").find("zaragoza"),
             std::string::npos);
+}
+
+TEST(SceneTrees, TheWordsOfFamiliesAreTagsAndTypesThatExist) {
+  for (const Dialect* dialect : dialects())
+    for (const std::string_view given : dialect->vocabulary) {
+      const std::string word(given);
+      const std::size_t blank = word.find(' ');
+      const std::string tag = word.substr(0, blank);
+      const std::string type = blank == std::string::npos ? "area" : word.substr(blank + 1);
+      EXPECT_NE(xml::findTag(tag), nullptr) << word;
+      EXPECT_NE(xml::findObject(xml::findTag(tag)->tag, type), nullptr) << word;
+    }
 }
 
 TEST(SceneTrees, TheLookatOfNori1ShrinksByTheAngleBetweenUpAndView) {
