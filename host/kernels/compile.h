@@ -11,7 +11,7 @@ using Spirv = std::vector<std::uint32_t>;
 /// How much time to spend on optimisation, which shortens compilation by the driver.
 enum class Effort {
   None,     ///< not optimised: for tests
-  Quick,    ///< about 0.2 s: for kernels that a render waits for
+  Quick,    ///< about 0.4 s: for kernels that a render waits for
   Thorough  ///< about 2 s: for embedded kernels
 };
 

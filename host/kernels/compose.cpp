@@ -47,6 +47,7 @@ void traceConstants(const TraceKey& key, Text& text) {
   text.flag("BOUNCES", key.bounces);
   text.flag("HAS_CAPS", key.caps);
   text.flag("HAS_FAR_PARTS", key.farParts);
+  text.flag("HAS_SLIVERS", key.slivers);
   text.flag("FAR_CAMERA", key.farCamera);
   text.flag("WALKS_PORTIONS", key.portions);
   text.flag("HAS_LIGHTS", key.lights);

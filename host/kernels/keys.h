@@ -65,6 +65,7 @@ struct TraceKey {
   bool spheres = false;          ///< some mesh is a sphere
   bool caps = false;             ///< some sphere is given by its nearest point (shared/cap.h)
   bool farParts = false;         ///< parts of the scene are far from the centre of coordinates
+  bool slivers = false;          ///< some triangle is too narrow for a plain normal of its plane
   bool farCamera = false;        ///< camera rays start on a plane before the scene
   bool portions = false;         ///< lane only: a dispatch answers one query from part of the tree
   bool lights = false;           ///< point lights affect the result

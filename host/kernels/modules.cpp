@@ -14,15 +14,19 @@ std::vector<std::string> commonKernels() {
   whitted.bsdfs = {{.name = "diffuse", .colors = {"albedo"}}};
   whitted.lights = true;
   whitted.jumpLevels = 2;
-  for (const Traversal traversal : {Traversal::Packet32, Traversal::Packet64})
+  const auto addWhitted = [&](Traversal traversal, bool slivers) {
     for (const bool normals : {false, true})
       for (const bool materials : {false, true}) {
         TraceKey key = whitted;
         key.traversal = traversal;
+        key.slivers = slivers;
         key.normals = normals;
         key.materials = materials;
         texts.push_back(compose(key));
       }
+  };
+  addWhitted(Traversal::Packet32, false);
+  for (const bool slivers : {false, true}) addWhitted(Traversal::Packet64, slivers);
   for (const char* integrator : {"normals", "depth", "ao"}) {
     TraceKey key;
     key.integrator = integrator;

@@ -120,6 +120,8 @@ TraceKey keyOf(const Scene& scene, const Normalisation& space, const RenderOptio
   key.signedValues = row.needs.negative;
   key.bounces = row.bounces || integrator.user;
   if (shades(row)) keyOfShading(scene, row, surfaces, key);
+  const bool tracesOn = key.lights || key.bounces || row.needs.numbers || row.looksOn;
+  key.slivers = tracesOn && hasSlivers(scene, space);
   for (const PropertyRow& property : row.properties)
     key.properties.push_back({isTriple(property.type) ? "vec3" : "float", property.name, ""});
   if (integrator.user) {

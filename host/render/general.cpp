@@ -13,7 +13,7 @@ const std::vector<std::string>& generalParts() {
       "stack",         "normals",     "materials",   "bsdf records", "lights",
       "shaped lights", "many lights", "jump levels", "apron",        "strips",
       "textures",      "images",      "background",  "hits",         "index bytes",
-      "spheres",       "caps",        "far parts",   "far camera"};
+      "spheres",       "caps",        "far parts",   "far camera",   "slivers"};
   return parts;
 }
 
@@ -46,6 +46,7 @@ void generaliseKey(TraceKey& key, const std::string& part, bool stream) {
   if (part == "spheres") key.spheres = true;
   if (part == "caps") key.caps = true;
   if (part == "far parts") key.farParts = true;
+  if (part == "slivers") key.slivers = true;
   if (part == "far camera") key.farCamera = true;
 }
 

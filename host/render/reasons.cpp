@@ -24,6 +24,7 @@ struct Facts {
     for (const PictureChoice& picture : c.pictures) {
       const TraceKey& key = picture.key;
       hasSpheres |= key.spheres;
+      slivers |= key.slivers;
       followsPaths |= picture.integrator.row->needs.emitters;
       coloured |= !key.bsdfs.empty() && (key.lights || key.background == "none" || followsPaths);
       byteImages |= key.byteImages;
@@ -52,7 +53,8 @@ struct Facts {
   const Uploads& uploads;
   const TraceKey& first;
   std::uint64_t primitives = 0, spheres = 0, normals = 0, uvs = 0, lamps = 0;
-  bool hasSpheres = false, coloured = false, lit = false, byteImages = false, floatImages = false;
+  bool hasSpheres = false, slivers = false, coloured = false, lit = false, byteImages = false,
+       floatImages = false;
   bool followsPaths = false;  ///< light comes from all emitters
   std::string background = "none";
 };
@@ -80,6 +82,12 @@ Reason spheres(const Facts& f) {
   if (f.hasSpheres) return {"spheres", countOf(f.spheres, "sphere"), "the scene has them", "", 0};
   return {"spheres", "left out", f.spheres == 0 ? "the scene has none" : "no ray is traced",
           "a sphere test in each leaf", 0};
+}
+
+Reason planes(const Facts& f) {
+  if (f.slivers)
+    return {"planes", "accurate", "a triangle is too narrow for a plain cross product", "", 0};
+  return {"planes", "plain", "no ray starts on a narrow triangle", "products of halves", 0};
 }
 
 Reason normals(const Facts& f) {
@@ -288,9 +296,10 @@ std::vector<Reason> reasonsOf(const Scene& scene, const RenderOptions& options,
   const Facts f(scene, options, choices);
   std::vector<Reason> reasons = {integrator(f),
                                  {"traversal", traversalName(choices.traversal), traversal, "", 0}};
-  for (const auto reason : {rays, spheres, normals, materials, materialBsdfs, surfaceTextures,
-                            images, background, uvs, indices, lights, shadowRays, sampler,
-                            samplerTables, filter, film, adaptive, sideBySide, passes})
+  for (const auto reason :
+       {rays,          spheres,    planes, normals,  materials,  materialBsdfs, surfaceTextures,
+        images,        background, uvs,    indices,  lights,     shadowRays,    sampler,
+        samplerTables, filter,     film,   adaptive, sideBySide, passes})
     reasons.push_back(reason(f));
   return reasons;
 }

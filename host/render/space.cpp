@@ -86,6 +86,24 @@ Normalisation narrow(const Visible& visible, const Bounds& box) {
   return space;
 }
 
+/// Corners a, b, c: with u = b - a and v = c - a, component i of u x v errs by e (|u_j v_k| + |u_k
+/// v_j|), and the side of a point on the triangle by that times its distance from a along i. Rays
+/// start 8 e |n| . max |corner| above the plane (shared/point.h). The bound may be as much: errors
+/// of fans stay below a half of it, and show from twice as much (tests/pictures/shadows.cpp).
+bool isSliver(const std::array<dvec3, 3>& corners, const Normalisation& space) {
+  const dvec3 u = glm::abs(corners[1] - corners[0]), v = glm::abs(corners[2] - corners[0]);
+  const dvec3 n = glm::abs(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+  const dvec3 products(u.y * v.z + u.z * v.y, u.z * v.x + u.x * v.z, u.x * v.y + u.y * v.x);
+  // Of a split triangle, no piece extends farther than some of its distance from the centre.
+  const dvec3 extent = glm::max(u, v);
+  dvec3 largest = extent;
+  if (!space.wide()) {
+    const auto distance = [&](int corner) { return glm::abs(corners[corner] - space.centre); };
+    largest = glm::max(distance(0), glm::max(distance(1), distance(2)));
+  }
+  return glm::dot(products, extent) > 8.0 * glm::dot(n, largest);
+}
+
 }  // namespace
 
 Bounds boundsOf(const Scene& scene) {
@@ -118,6 +136,15 @@ bool isCap(const Sphere& sphere, const Normalisation& space) {
 bool hasCaps(const Scene& scene, const Normalisation& space) {
   return std::ranges::any_of(
       scene.meshes, [&](const Mesh& mesh) { return mesh.sphere && isCap(*mesh.sphere, space); });
+}
+
+bool hasSlivers(const Scene& scene, const Normalisation& space) {
+  return std::ranges::any_of(scene.meshes, [&](const Mesh& mesh) {
+    const auto& p = mesh.positions;
+    return std::ranges::any_of(mesh.triangles, [&](const glm::uvec3& t) {
+      return isSliver({p[t.x], p[t.y], p[t.z]}, space);
+    });
+  });
 }
 
 Normalisation normalisationOf(const Scene& scene) {

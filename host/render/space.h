@@ -48,6 +48,10 @@ Normalisation normalisationOf(const Scene& scene);
 bool isCap(const Sphere& sphere, const Normalisation& space);
 bool hasCaps(const Scene& scene, const Normalisation& space);
 
+/// Whether some triangle is so narrow that a float cross product of its edges tilts its plane by
+/// more than the offset of rays that start on it covers.
+bool hasSlivers(const Scene& scene, const Normalisation& space);
+
 /// Largest max-norm distance from the centre of what `unit` stands for, in units: one split
 /// triangle reaches no farther (derived in render/split_meshes.h).
 inline constexpr double kPieceReach = 12.0;

@@ -11,6 +11,7 @@
 #include "trace/rays.glsl"
 #include "trace/caps.glsl"
 #include "trace/far_points.glsl"
+#include "trace/plane.glsl"
 #include "shared/box.h"
 #include "shared/sphere.h"
 
@@ -82,7 +83,7 @@ LaneTriangle loadTriangle(LaneRay ray, uint slot) {
 // for shadow rays (blocks()), since rounding may give a hit on the ray's own surface any depth near 0.
 bool isAhead(LaneRay ray, vec3 direction, LaneTriangle t) {
   const vec3 a = permute(ray.shear, t.a);
-  const vec3 n = crossProduct(permute(ray.shear, t.b) - a, permute(ray.shear, t.c) - a);
+  const vec3 n = planeNormal(permute(ray.shear, t.b) - a, permute(ray.shear, t.c) - a);
   const float side = dotProduct(n, t.pa), along = dotProduct(n, permute(ray.shear, direction));
   return (side > 0.0 && along > 0.0) || (side < 0.0 && along < 0.0);
 }
@@ -172,7 +173,7 @@ bool unoccludedLane(vec3 point, vec3 direction, bool toLight, vec3 light, bool i
       do {
         const LaneTriangle t = loadTriangle(ray, slot);
         const vec3 a = permute(ray.shear, t.a);
-        const vec3 n = crossProduct(permute(ray.shear, t.b) - a, permute(ray.shear, t.c) - a);
+        const vec3 n = planeNormal(permute(ray.shear, t.b) - a, permute(ray.shear, t.c) - a);
         const float lightSide = dotProduct(n, permute(ray.shear, light) - a);
         bool between =
             toLight ? blocks(ray.shear, last, n, lightSide, t.pa, t.pb, t.pc)

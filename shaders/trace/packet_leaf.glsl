@@ -4,6 +4,7 @@
 // (trace/packet_pairs.glsl).
 #include "trace/packet_walk.glsl"
 #include "trace/far_points.glsl"
+#include "trace/plane.glsl"
 #include "shared/sphere.h"
 
 // The triangle that this lane holds, permuted.

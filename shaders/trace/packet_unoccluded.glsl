@@ -20,7 +20,7 @@ Blocker blockerOf(LeafTriangle leaf, uint from, vec3 light, float toLight) {
   t.a = fromLane(leaf.a, from) * mirror;
   t.b = fromLane(leaf.b, from) * mirror;
   t.c = fromLane(leaf.c, from) * mirror;
-  t.normal = crossProduct(t.b - t.a, t.c - t.a);
+  t.normal = planeNormal(t.b - t.a, t.c - t.a);
   t.lightSide = dotProduct(t.normal, light - t.a);
   t.radius = 0.0;
   if (HAS_SPHERES) t.radius = subgroupShuffle(leaf.radius, from);

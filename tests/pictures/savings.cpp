@@ -77,10 +77,11 @@ INSTANTIATE_TEST_SUITE_P(Parts, General, testing::ValuesIn(generalParts()),
 auto madeGeneral(const TraceKey& key) {
   const auto& [integrator, userFile, userText, camera, sampler, background, bsdfs, textures, layout,
                traversal, stack, jumpLevels, hits, normals, materials, bsdfRecords, spheres, caps,
-               farParts, farCamera, portions, lights, shapedLights, manyLights, lockstep, bounces,
-               emission, byteImages, floatImages, adaptive, signedValues, properties] = key;
+               farParts, slivers, farCamera, portions, lights, shapedLights, manyLights, lockstep,
+               bounces, emission, byteImages, floatImages, adaptive, signedValues, properties] =
+      key;
   return std::tuple(background, textures, layout, stack, jumpLevels, hits, normals, materials,
-                    bsdfRecords, spheres, caps, farParts, farCamera, lights, shapedLights,
+                    bsdfRecords, spheres, caps, farParts, slivers, farCamera, lights, shapedLights,
                     manyLights, byteImages, floatImages);
 }
 

@@ -62,7 +62,7 @@ std::vector<LintedKernel> everyKernel() {
       key.textures = allTextureNames();
       key.background = "environment";
       key.normals = key.materials = key.bsdfRecords = key.spheres = key.lights = true;
-      key.caps = key.farParts = key.farCamera = true;
+      key.caps = key.farParts = key.slivers = key.farCamera = true;
       key.manyLights = key.byteImages = key.floatImages = true;
       if (const IntegratorRow* row = rowCalled(integratorRows(), integrator))
         for (const PropertyRow& property : row->properties)
