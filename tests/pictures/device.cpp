@@ -1,8 +1,6 @@
 // Limits and errors of the Vulkan path.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <optional>
 
 #include "pictures/harness.h"
 #include "support/bumpy_sphere.h"
@@ -59,15 +57,6 @@ TEST(Device, AFlatFieldIsFlatWithEveryFilter) {
         EXPECT_NEAR(image.at(x, y, 2), 1.0F, 6e-8F) << x << ' ' << y;
       }
   }
-}
-
-/// Whether the driver ends a loop after 65,535 iterations, as llvmpipe does before Mesa 25.0.
-/// Unknown for other drivers.
-std::optional<bool> loopsEndEarly() {
-  const std::string& driver = testDeviceInfo().driver;
-  const std::size_t mesa = driver.find("llvmpipe Mesa ");
-  if (mesa == std::string::npos) return {};
-  return std::stoi(driver.substr(mesa + std::strlen("llvmpipe Mesa "))) < 25;
 }
 
 TEST(Device, APacketOfTooManyIterationsIsTracedRayByRay) {

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -41,6 +43,15 @@ inline const DeviceInfo& testDeviceInfo() {
     return deviceInfo(choosePhysicalDevice(instance, testDevice()));
   }();
   return info;
+}
+
+/// Whether the driver ends a loop after 65,535 iterations, as llvmpipe does before Mesa 25.0.
+/// Unknown for other drivers.
+inline std::optional<bool> loopsEndEarly() {
+  const std::string& driver = testDeviceInfo().driver;
+  const std::size_t mesa = driver.find("llvmpipe Mesa ");
+  if (mesa == std::string::npos) return {};
+  return std::stoi(driver.substr(mesa + std::string_view("llvmpipe Mesa ").size())) < 25;
 }
 
 /// The traversals that the test device supports.

@@ -45,8 +45,7 @@ Image renderByPortions(const Scene& scene, const RenderOptions& options = {}) {
       std::any_of(stats.reasons.begin(), stats.reasons.end(), [](const Reason& reason) {
         return reason.why.find("portions of the tree") != std::string::npos;
       });
-  // Other drivers need not cut loops short.
-  EXPECT_TRUE(byPortions || testDeviceInfo().type != VK_PHYSICAL_DEVICE_TYPE_CPU);
+  EXPECT_EQ(loopsEndEarly().value_or(byPortions), byPortions) << testDeviceInfo().driver;
   return image;
 }
 
