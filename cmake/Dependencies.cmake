@@ -6,6 +6,7 @@ find_package(pugixml REQUIRED)
 find_package(OpenEXR QUIET REQUIRED)
 find_package(PNG REQUIRED)
 find_package(JPEG REQUIRED)
+find_package(Boost REQUIRED)  # headers: distributions of statistics
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
@@ -24,6 +25,6 @@ target_include_directories(laver_dependencies SYSTEM INTERFACE
   ${Vulkan_INCLUDE_DIRS})
 target_link_libraries(laver_dependencies INTERFACE
   Threads::Threads glm::glm pugixml::pugixml OpenEXR::OpenEXR OpenEXR::OpenEXRCore
-  ${LAVER_DEFLATE} PNG::PNG JPEG::JPEG CLI11::CLI11 fmt::fmt
+  ${LAVER_DEFLATE} PNG::PNG JPEG::JPEG Boost::headers CLI11::CLI11 fmt::fmt
   nlohmann_json::nlohmann_json PkgConfig::CAIRO ${CMAKE_DL_LIBS})
 target_compile_definitions(laver_dependencies INTERFACE VK_NO_PROTOTYPES)

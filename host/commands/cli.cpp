@@ -81,7 +81,7 @@ void addSceneCommand(CLI::App& app, SceneCommand& command) {
 }
 
 void addRender(CLI::App& app, RenderCommand& command) {
-  app.add_option("SCENE.xml", command.scene, "Nori scene, or a picture, FILE.exr, to view")
+  app.add_option("SCENE.xml", command.scene, "Nori scene or test, or a picture, FILE.exr, to view")
       ->type_name("");
   addSceneCommand(app, command);
   app.add_option("-o,--output,--outfile", command.output,

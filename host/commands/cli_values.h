@@ -57,12 +57,13 @@ inline CLI::Validator hasForm(const char* pattern, const char* expected) {
   return {check, ""};
 }
 
-/// An option whose value is one name.
+/// An option whose value is one name; `meaning` ends before the list of names.
 template <class T, class Take>
 void addName(CLI::App& app, const std::string& option, const std::string& meaning,
              const Names<T>& names, Take take) {
   app.add_option_function<std::string>(
-         option, [=](const std::string& name) { take(*names.find(name)); }, meaning)
+         option, [=](const std::string& name) { take(*names.find(name)); },
+         meaning + names.all)
       ->check(isOneOf(names))
       ->type_name("NAME");
 }

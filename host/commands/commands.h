@@ -93,6 +93,8 @@ struct HelpCommand {
 /// Throw Error. An interrupted render throws Error(Interrupted) or Error(Terminated) after writing
 /// its partial result under another name.
 ExitCode run(const RenderCommand& command);
+/// Runs a file whose root is <test>; Different where a hypothesis is rejected.
+ExitCode runTestFile(const RenderCommand& command);
 ExitCode run(const PlanCommand& command);
 ExitCode run(const CompareCommand& command);
 ExitCode run(const ExplainCommand& command);

@@ -13,6 +13,7 @@
 #include "commands/resume.h"
 #include "commands/scene_command.h"
 #include "reference/reference.h"
+#include "scene/test_file.h"
 #include "show/tev_client.h"
 
 namespace laver {
@@ -176,6 +177,7 @@ ExitCode run(const RenderCommand& command, ViewedPictures* viewed) {
 }  // namespace
 
 ExitCode run(const RenderCommand& command) {
+  if (isTestFile(command.scene)) return runTestFile(command);
   if (!command.gui) return run(command, nullptr);
   return runInWindow(command.scene + " - laver",
                      [&](ViewedPictures& viewed) { return run(command, &viewed); });

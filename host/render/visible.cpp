@@ -68,7 +68,7 @@ Visible::Visible(const Scene& scene)
   }
   const double thin = std::min(glm::length(m[0]), glm::length(m[1]));
   halfWidth_ = std::max(slopes_.x, slopes_.y) * wide / axisLength_;
-  pixel_ = 2.0 * slope / camera.width * thin / axisLength_;
+  pixel_ = 2.0 * slope * camera.subpixels / camera.width * thin / axisLength_;
   const dvec3 sizes = glm::abs(toCamera_[0]) + glm::abs(toCamera_[1]) + glm::abs(toCamera_[2]);
   usable_ = std::isfinite(sizes.x + sizes.y + sizes.z) && std::isfinite(halfWidth_) &&
             pixel_ > 0.0 && std::isfinite(eye_.x + eye_.y + eye_.z);

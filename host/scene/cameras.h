@@ -26,6 +26,7 @@ struct Camera {
   glm::dmat4 toWorld{1.0};  ///< camera to world, column vectors
   int width = 1280;         ///< pixels
   int height = 720;         ///< pixels
+  int subpixels = 1;        ///< pixels, across, that need not be told apart
   double fov = 30.0;        ///< horizontal, degrees
   double nearClip = 1e-4;   ///< plane z = nearClip of camera space
   double farClip = 1e4;

@@ -26,6 +26,21 @@ xml::Draft xml::readDraft(const TextSource& source, const SceneOverrides& overri
   return draft;
 }
 
+xml::TextSource xml::sourceOf(const std::string& file) {
+  FileText read = readFile(file);
+  if (isLfsPointer(read.text)) read.problem = kLfsPointer;
+  if (read.problem.empty()) read = utf8Of(std::move(read.text));
+  if (!read.problem.empty())
+    throw Error(ExitCode::Scene, fmt::format("{}: error: {}", file, read.problem));
+  return {file, std::move(read.text)};
+}
+
+void xml::loadFiles(const TextSource& source, Draft& draft, Diagnostics& diagnostics) {
+  loadTextures(source, draft, diagnostics);
+  loadMeshes(source, draft, diagnostics);
+  warnOfMissingUvs(draft, diagnostics);
+}
+
 namespace {
 
 /// How far a filter has weights that floats can tell from 0, up to half a pixel.
@@ -52,18 +67,10 @@ void warnOfNarrowFilter(const xml::Draft& draft, xml::Diagnostics& diagnostics) 
 }
 
 LoadedScene load(const std::string& file, const SceneOverrides& overrides) {
-  xml::FileText read = xml::readFile(file);
-  if (isLfsPointer(read.text)) read.problem = kLfsPointer;
-  if (read.problem.empty()) read = xml::utf8Of(std::move(read.text));
-  if (!read.problem.empty()) {
-    throw Error(ExitCode::Scene, fmt::format("{}: error: {}", file, read.problem));
-  }
-  const xml::TextSource source(file, std::move(read.text));
+  const xml::TextSource source = xml::sourceOf(file);
   xml::Diagnostics diagnostics(source);
   xml::Draft draft = xml::readDraft(source, overrides, diagnostics);
-  xml::loadTextures(source, draft, diagnostics);
-  xml::loadMeshes(source, draft, diagnostics);
-  xml::warnOfMissingUvs(draft, diagnostics);
+  xml::loadFiles(source, draft, diagnostics);
   warnOfNarrowFilter(draft, diagnostics);
   diagnostics.throwErrors();
   return {std::move(draft.scene), diagnostics.warnings()};

@@ -112,7 +112,7 @@ const char* requireAttribute(pugi::xml_node node, const char* name, const TextSo
 }
 
 pugi::xml_node parseDocument(const TextSource& source, pugi::xml_document& document,
-                             Diagnostics& diagnostics) {
+                             Diagnostics& diagnostics, std::string_view name) {
   if (!checkText(source, diagnostics)) return {};
   const std::string& text = source.text();
   // Parsed as a fragment, so that text outside of the root is kept and can be reported.
@@ -139,9 +139,9 @@ pugi::xml_node parseDocument(const TextSource& source, pugi::xml_document& docum
     if (diagnostics.errorCount() == 0) diagnostics.error(0, "no tag, expected <scene>");
     return {};
   }
-  if (std::string_view(root.name()) != "scene") {
+  if (root.name() != name) {
     diagnostics.error(offsetOf(root, source),
-                      fmt::format("the root is <{}>, expected <scene>", root.name()));
+                      fmt::format("the root is <{}>, expected <{}>", root.name(), name));
     return {};
   }
   return checkDepth(root, source, diagnostics) ? root : pugi::xml_node();

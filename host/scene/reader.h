@@ -42,6 +42,12 @@ class Reader {
   std::optional<IntegratorUse> integrator_;  // the integrator of the render, if known
 };
 
+/// The text of a scene file. Throws Error(Scene).
+TextSource sourceOf(const std::string& file);
+
+/// Reads the images and meshes that a draft names.
+void loadFiles(const TextSource& source, Draft& draft, Diagnostics& diagnostics);
+
 /// Reads a scene's tags into a draft, whose meshes are not loaded yet.
 Draft readDraft(const TextSource& source, const SceneOverrides& overrides,
                 Diagnostics& diagnostics);

@@ -6,7 +6,7 @@
 #include "reference/bsdf.h"
 #include "support/bsdf_cases.h"
 #include "support/test_device.h"
-#include "trace/bsdf_sampler.h"
+#include "lab/hypothesis/bsdf_sampler.h"
 #include "vulkan/device.h"
 
 namespace laver::test {

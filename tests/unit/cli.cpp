@@ -126,6 +126,8 @@ TEST(Cli, HelpListsTheTablesNames) {
     EXPECT_NE(help.find(row->name), std::string::npos) << row->name;
   for (const LayerRow* row : layerRows())
     EXPECT_NE(help.find(row->name), std::string::npos) << row->name;
+  for (const char* name : {"stratified or sobol", "tent or box", "zaragoza or nori1"})
+    EXPECT_NE(help.find(name), std::string::npos) << name;
   EXPECT_NE(commandOf<HelpCommand>("explain --help").text.find("--traversal"), std::string::npos);
 }
 

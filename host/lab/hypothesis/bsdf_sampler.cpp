@@ -1,4 +1,4 @@
-#include "trace/bsdf_sampler.h"
+#include "lab/hypothesis/bsdf_sampler.h"
 
 #include <deque>
 
@@ -7,11 +7,10 @@
 #include "render/device_scene.h"
 #include "render/materials.h"
 #include "render/packed.h"
-#include "trace/ray_tracer.h"
 #include "vulkan/bindings.h"
 #include "vulkan/kernel.h"
 
-namespace laver::test {
+namespace laver {
 namespace {
 
 static_assert(sizeof(BsdfQuestion) == 32 && sizeof(BsdfAnswer) == 48);
@@ -45,7 +44,7 @@ Kernel kernelOf(const Device& device, const Bindings& bindings, const Scene& sce
   key.layout = layoutOf(scene);
   key.textures = texturesOf(scene);
   key.materials = key.bsdfRecords = true;
-  const std::string text = materialText(key) + testText("sample_bsdf.glsl");
+  const std::string text = materialText(key) + std::string(shaderText("trace/sample_bsdf.glsl"));
   return {device, bindings, moduleOf(composeWith(key, text)).words, sizeof(shared::Pass)};
 }
 
@@ -89,6 +88,16 @@ BsdfSampler::~BsdfSampler() = default;
 
 std::vector<BsdfAnswer> BsdfSampler::answers(std::size_t which,
                                              std::span<const BsdfQuestion> questions) const {
+  return run(which, questions, false);
+}
+
+std::vector<BsdfAnswer> BsdfSampler::densities(std::size_t which,
+                                               std::span<const BsdfQuestion> questions) const {
+  return run(which, questions, true);
+}
+
+std::vector<BsdfAnswer> BsdfSampler::run(std::size_t which, std::span<const BsdfQuestion> questions,
+                                         bool given) const {
   const Buffer input(impl_->device, "questions", Buffer::Use::Texels, questions.size_bytes());
   input.upload(std::as_bytes(questions));
   const auto view = input.texelView(VK_FORMAT_R32G32B32A32_SFLOAT);
@@ -98,8 +107,8 @@ std::vector<BsdfAnswer> BsdfSampler::answers(std::size_t which,
                       result.size() * sizeof(BsdfAnswer));
   impl_->bindings.bind(kOutput, output);
   shared::Pass pass{};
-  pass.region = {static_cast<std::uint32_t>(questions.size()), static_cast<std::uint32_t>(which), 0,
-                 0};
+  pass.region = {static_cast<std::uint32_t>(questions.size()), static_cast<std::uint32_t>(which),
+                 given ? 1U : 0U, 0};
   impl_->device.run([&](VkCommandBuffer commands) {
     impl_->kernel.dispatch(commands, impl_->bindings, std::as_bytes(std::span(&pass, 1)),
                            {(pass.region.x + 63) / 64, 1, 1});
@@ -108,4 +117,4 @@ std::vector<BsdfAnswer> BsdfSampler::answers(std::size_t which,
   return result;
 }
 
-}  // namespace laver::test
+}  // namespace laver

@@ -1,10 +1,10 @@
-// Directions that a BSDF draws, and its values. Input: wi and the first number, the second number; then
-// texture coordinates. Output: the drawn wo and its pdf; its weight; eval of wo
+// Directions that a BSDF draws, and its values; of no render. Input: wi and the first number; the second
+// number, texture coordinates, and z of a given wo, whose x and y stand for the numbers. Output: the drawn wo and its pdf; its weight; eval of wo
 // for light of 1.
 layout(local_size_x = 64) in;
 layout(binding = BINDINGS) uniform textureBuffer inputTexels;
 layout(binding = BINDINGS + 1) writeonly buffer OutputBlock { vec4 outputOf[]; };
-// Here Pass holds: region.x the count, region.y the material.
+// Here Pass holds: region.x the count, region.y the material, region.z whether wo is given.
 
 void main() {
   const uint n = gl_GlobalInvocationID.x;
@@ -20,7 +20,11 @@ void main() {
   s.id = pass.region.y;  // a triangle per material
   const Material m = materialOf(s);
   vec3 wo;
-  const vec3 weight = sampleBsdf(m, s.normal, first.xyz, vec2(first.w, second.x), wo);
+  vec3 weight = sampleBsdf(m, s.normal, first.xyz, vec2(first.w, second.x), wo);
+  if (pass.region.z != 0u) {
+    wo = vec3(first.w, second.x, second.w);
+    weight = vec3(0.0);
+  }
   outputOf[n * 3u] = vec4(wo, pdfBsdf(m, s.normal, first.xyz, wo));
   outputOf[n * 3u + 1u] = vec4(weight, 0.0);
   outputOf[n * 3u + 2u] = vec4(evalBsdf(m, s.normal, first.xyz, wo, vec3(1.0)), 0.0);

@@ -7,7 +7,7 @@
 #include "scene/bsdfs.h"
 #include "vulkan/device.h"
 
-namespace laver::test {
+namespace laver {
 
 /// A direction towards the camera, the numbers that a BSDF draws by, and texture coordinates.
 struct BsdfQuestion {
@@ -15,7 +15,7 @@ struct BsdfQuestion {
   float first;
   float second;
   glm::vec2 uv;
-  float pad = 0.0F;
+  float last = 0.0F;  ///< with `first` and `second` the direction wo, for densities
 };
 
 /// What the device says: the drawn direction and its density, the sample's weight, and the value
@@ -38,10 +38,15 @@ class BsdfSampler {
 
   /// Of the BSDF `which`.
   std::vector<BsdfAnswer> answers(std::size_t which, std::span<const BsdfQuestion> questions) const;
+  /// The same for wo = (first, second, last), which is not drawn; the weights are 0.
+  std::vector<BsdfAnswer> densities(std::size_t which,
+                                    std::span<const BsdfQuestion> questions) const;
 
  private:
+  std::vector<BsdfAnswer> run(std::size_t which, std::span<const BsdfQuestion> questions,
+                              bool given) const;
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace laver::test
+}  // namespace laver
