@@ -33,6 +33,20 @@ void handle(int signal) {
   sigaction(signal, &action, nullptr);
 }
 
+/// Under a limit of the address space, drivers crash where they get no memory.
+void reportCrash(int /*signal*/) {
+  constexpr char text[] =
+      "laver: crashed, probably in the driver for lack of memory: the address space is limited "
+      "(ulimit -v)\n";
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text, sizeof text - 1);
+  ::_exit(static_cast<int>(ExitCode::Device));
+}
+
+bool addressSpaceIsLimited() {
+  rlimit limit{};
+  return ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+}
+
 void release(int signal) {
   struct sigaction now {};
   sigaction(signal, nullptr, &now);
@@ -69,6 +83,8 @@ ExitCode Interruption::code() {
 void prepareProcess() {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+  if (addressSpaceIsLimited())
+    for (const int signal : {SIGSEGV, SIGBUS, SIGABRT}) std::signal(signal, reportCrash);
   int descriptor = 0;
   do {
     descriptor = ::open("/dev/null", O_RDONLY);  // the lowest that is free

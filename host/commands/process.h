@@ -30,7 +30,7 @@ class Interruption : public Observer {
 };
 
 /// Makes writing to a closed pipe or beyond a file-size limit fail with an error instead of a
-/// signal, and opens standard descriptors that the process was started without, so that no other
+/// signal, makes a crash under `ulimit -v` an error of the device, and opens standard descriptors that the process was started without, so that no other
 /// file gets their numbers; writing to them fails as before.
 void prepareProcess();
 

@@ -15,6 +15,9 @@ namespace {
 /// Fixed cost of a dispatch, in samples.
 constexpr double kDispatchSamples = 1000;
 
+/// Of a dispatch: every device supports rows of 65,535 workgroups, which may be one pixel wide.
+constexpr std::uint32_t kMostColumns = 65528;
+
 /// First and end column and row of a part, relative to the area's corner.
 glm::uvec4 within(const Crop& part, const glm::uvec4& area) {
   const glm::uvec4 edges(part.x0, part.y0, part.x1, part.y1);
@@ -197,11 +200,14 @@ std::vector<Frame::Dispatch> Frame::tracing(shared::Pass pass) const {
     if (count == 0 || 1U << pass.sideShift > choices_.tiling.sideBySide) continue;
     const std::uint32_t side = 8U >> pass.sideShift / 2;
     for (const Crop& part : traced_) {
-      pass.part = within(part, pass.region);
-      pass.tileRows = groupsOf(pass.part.w - pass.part.y, side);
-      pass.rowStride = rowStride(pass.tileRows);
-      dispatches.push_back(
-          {pass, {groupsOf(pass.part.z - pass.part.x, side), pass.tileRows, count}});
+      const glm::uvec4 whole = within(part, pass.region);
+      for (std::uint32_t x = whole.x; x < whole.z; x += kMostColumns) {
+        pass.part = {x, whole.y, std::min(x + kMostColumns, whole.z), whole.w};
+        pass.tileRows = groupsOf(pass.part.w - pass.part.y, side);
+        pass.rowStride = rowStride(pass.tileRows);
+        dispatches.push_back(
+            {pass, {groupsOf(pass.part.z - pass.part.x, side), pass.tileRows, count}});
+      }
     }
     pass.dispatchSample += count << pass.sideShift;
   }

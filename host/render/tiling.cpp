@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "vulkan/device.h"
+#include "core/error.h"
 
 namespace laver {
 
@@ -89,9 +89,6 @@ Tiling tile(const VkPhysicalDeviceLimits& limits, const TilingNeeds& needs) {
   // Strips of equal length, since lavapipe gives each thread the same number.
   const std::uint64_t strips = (rows + gatherRows - 1) / gatherRows;
   gatherRows = static_cast<std::uint32_t>((rows + strips - 1) / strips);
-  // Tiles of samples side by side may be as small as one or 2 x 2 pixels.
-  Device::requireLimit("maxComputeWorkGroupCount[0]", sideBySide == 64 ? full.z : (full.z + 1) / 2,
-                       limits.maxComputeWorkGroupCount[0]);
   return {core,
           static_cast<std::uint32_t>(rows),
           static_cast<std::uint32_t>(pass),

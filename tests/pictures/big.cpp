@@ -1,4 +1,4 @@
-// Input near the limits of lavapipe. Slow, so it has the label full.
+// Input near the limits of lavapipe; what is slow has the label full.
 #include <algorithm>
 
 #include "pictures/harness.h"
@@ -31,6 +31,30 @@ TEST(FullBig, SixtyFiveThousandSamplesPerPixel) {
   // bound.
   for (std::size_t i = 0; i < truth.pixels.size(); ++i)
     EXPECT_NEAR(image.pixels[i], truth.pixels[i], 1e-4F);
+}
+
+// More workgroups of one pixel than a dispatch has side by side.
+TEST(WideFilms, HaveAllTheirColumns) {
+  Scene scene;
+  scene.meshes = {quad({{{-9, -9, 3}, {-9, 9, 3}, {9, 9, 5}, {9, -9, 5}}}, {0.5, 0.5, 0.5})};
+  scene.lights = {{glm::dvec3(0.0), glm::dvec3(30.0)}};
+  scene.integrator = {&integrators::directWhitted};
+  scene.camera.width = 140000;
+  scene.camera.height = 1;
+  scene.camera.fov = 90.0;
+  scene.sampler.sampleCount = 64;  // side by side: a workgroup for each pixel
+  for (const std::string& traversal : {traversals().front(), traversals().back()}) {
+    const Image whole = render(scene, onTestDevice(traversal));
+    for (const int x : {0, 65500, 131000, 139900}) {
+      RenderOptions options;
+      options.crop = Crop{x, 0, x + 100, 1};
+      const Image part = render(scene, onTestDevice(traversal), options);
+      for (int i = 0; i < 100; ++i) {
+        ASSERT_GT(part.at(i, 0, 0), 0.0F);
+        ASSERT_EQ(part.at(i, 0, 0), whole.at(x + i, 0, 0)) << traversal << ' ' << x + i;
+      }
+    }
+  }
 }
 
 TEST(FullBig, AFilmOf16384Pixels) {

@@ -67,6 +67,21 @@ TEST_F(OutputFailure, TheDiskIsFull) {
                 "a.exr\": File too large");
 }
 
+// Drivers crash where they get no memory; that is an error, too.
+TEST_F(OutputFailure, AddressSpaceIsShort) {
+  const std::string scene = (scenesFolder() / "cornell-two-lights.xml").string();
+  for (int mebibytes = 150; mebibytes <= 1050; mebibytes += 50) {
+    fs::remove(path("a.exr"));
+    // Kernels are compiled in each.
+    const Outcome run = laver(scene + " --device $device --spp 1 --quiet -o a.exr",
+                              "export XDG_CACHE_HOME=cache" + std::to_string(mebibytes) +
+                                  "; ulimit -v " + std::to_string(1024 * mebibytes) + ";");
+    EXPECT_LT(run.code, 128) << mebibytes << " MiB: " << run.err;
+    EXPECT_EQ(run.code == 0, fs::exists(path("a.exr"))) << mebibytes << " MiB: " << run.err;
+    EXPECT_EQ(run.code == 0, run.err.empty()) << mebibytes << " MiB: " << run.err;
+  }
+}
+
 TEST_F(OutputFailure, TheStatisticsFileCannotBeWritten) {
   const Outcome run = laver(std::string(kRender) + "--quiet --stats=/dev/full");
   EXPECT_EQ(run.code, 1);
