@@ -118,7 +118,12 @@ void addCompare(CLI::App& app, CompareCommand& command) {
   app.add_option("--tolerance", command.tolerance,
                  "exit code 5 if the metric of a channel is beyond it");
   app.add_option("--metric", command.metric, "metric that the tolerance bounds")
-      ->check(CLI::IsMember({"max", "p999", "rmse", "relmse"}));
+      ->check(CLI::IsMember(std::vector<std::string>(std::begin(kMetrics), std::end(kMetrics))));
+  app.add_option("--max-share", command.maxShare,
+                 "exit code 5 if a larger share of the pixels is beyond the tolerance")
+      ->check(CLI::Range(0.0, 1.0))
+      ->needs(app.get_option("--tolerance"));
+  app.add_flag("--json", command.json, "print all figures as JSON");
   app.add_option("--out", command.out, "folder for difference.exr and difference.png")
       ->check(isNotEmpty())
       ->type_name("DIR");

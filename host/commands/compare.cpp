@@ -5,24 +5,100 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "commands/commands.h"
 #include "commands/process.h"
 #include "image/false_colour.h"
+#include "image/flip.h"
 #include "image/io.h"
 
 namespace laver {
 namespace {
 
-double valueOf(const ChannelDifference& d, const std::string& metric) {
-  if (metric == "rmse") return d.rmse;
-  if (metric == "relmse") return d.relativeMse;
+double valueOf(const Distribution& d, const std::string& metric) {
+  if (metric == "mean" || metric == "flip" || metric == "ldrflip") return d.mean;
+  if (metric == "p50") return d.median;
+  if (metric == "p95") return d.percentile95;
+  if (metric == "p99") return d.percentile99;
   if (metric == "p999") return d.percentile999;
   return d.maximum;
 }
 
-/// Writes FOLDER/difference.exr and .png, and creates the folder if needed.
-void writeDifference(const CompareCommand& command, const Image& a, const Image& b) {
+double valueOf(const ChannelDifference& d, const std::string& metric) {
+  if (metric == "rmse") return d.rmse;
+  if (metric == "relmse") return d.relativeMse;
+  return valueOf(d.distances, metric);
+}
+
+/// What was measured.
+struct Compared {
+  std::vector<ChannelDifference> channels;
+  std::optional<Distribution> flip;
+  std::vector<double> flips;  ///< of each pixel
+};
+
+Compared measured(const CompareCommand& command, const Image& a, const Image& b) {
+  const double tolerance = command.tolerance.value_or(0.0);
+  Compared all{compare(a, b, tolerance), {}, {}};
+  if (command.metric == "flip" || command.metric == "ldrflip") {
+    all.flips = command.metric == "flip" ? hdrFlip(a, b) : ldrFlip(a, b);
+    all.flip = distributionOf(all.flips, tolerance);
+  }
+  return all;
+}
+
+nlohmann::ordered_json jsonOf(const Distribution& d) {
+  return {{"mean", d.mean},        {"p50", d.median},         {"p95", d.percentile95},
+          {"p99", d.percentile99}, {"p999", d.percentile999}, {"max", d.maximum},
+          {"share", d.share}};
+}
+
+/// JSON has no infinity: null.
+std::string textOf(const CompareCommand& command, const Compared& all, bool within) {
+  const double tolerance = command.tolerance.value_or(0.0);
+  if (!command.json) {
+    std::string text = describe(all.channels, tolerance);
+    if (all.flip)
+      text += fmt::format(
+          "{}: mean {:.4g}, median {:.4g}, 95th percentile {:.4g}, 99th {:.4g}, maximum {:.4g}, "
+          "beyond {:g} {:.4g} %\n",
+          command.metric == "flip" ? "HDR-FLIP" : "LDR-FLIP", all.flip->mean, all.flip->median,
+          all.flip->percentile95, all.flip->percentile99, all.flip->maximum, tolerance,
+          100.0 * all.flip->share);
+    return text;
+  }
+  nlohmann::ordered_json json = {{"a", command.a}, {"b", command.b}, {"metric", command.metric}};
+  if (command.tolerance) {
+    json["tolerance"] = tolerance;
+    json["within"] = within;
+  }
+  if (all.flip) json["flip"] = jsonOf(*all.flip);
+  for (const ChannelDifference& d : all.channels) {
+    nlohmann::ordered_json& channel = json["channels"][d.channel];
+    channel = jsonOf(d.distances);
+    channel["rmse"] = d.rmse;
+    channel["relmse"] = d.relativeMse;
+  }
+  return json.dump(2) + '\n';
+}
+
+/// Written so that NaN is beyond any tolerance.
+bool isWithin(const CompareCommand& command, const Compared& all) {
+  const double tolerance = command.tolerance.value_or(0.0);
+  const auto holds = [&](const auto& d, const Distribution& distribution) {
+    return command.maxShare ? distribution.share <= *command.maxShare
+                            : valueOf(d, command.metric) <= tolerance;
+  };
+  if (all.flip) return holds(*all.flip, *all.flip);
+  return std::all_of(all.channels.begin(), all.channels.end(),
+                     [&](const auto& d) { return holds(d, d.distances); });
+}
+
+/// Writes FOLDER/difference.exr and .png, and creates the folder if needed. The latter shows
+/// `flips`, if there are any.
+void writeDifference(const CompareCommand& command, const Image& a, const Image& b,
+                     const std::vector<double>& flips) {
   namespace fs = std::filesystem;
   const fs::path folder = command.out;
   std::error_code error;
@@ -33,7 +109,7 @@ void writeDifference(const CompareCommand& command, const Image& a, const Image&
   writeExr((folder / "difference.exr").string(), difference(a, b),
            {{"comments", command.a + " minus " + command.b}});
   writePng((folder / "difference.png").string(),
-           drawDistances(largestDistances(a, b), a.width, a.height));
+           drawDistances(flips.empty() ? largestDistances(a, b) : flips, a.width, a.height));
 }
 
 }  // namespace
@@ -41,20 +117,15 @@ void writeDifference(const CompareCommand& command, const Image& a, const Image&
 ExitCode run(const CompareCommand& command) {
   Image a = withoutPrefix(readExr(command.a));
   Image b = withoutPrefix(readExr(command.b));
-  if (cutToShared(a, b))
+  if (cutToShared(a, b) && !command.json)
     std::cout << fmt::format("compared where both have pixels: {}x{} from ({}, {})\n", a.width,
                              a.height, a.window.x, a.window.y);
-  const double tolerance = command.tolerance.value_or(0.0);
-  const auto differences = compare(a, b, tolerance);
-  std::cout << describe(differences, tolerance);
+  const Compared all = measured(command, a, b);
+  const bool within = isWithin(command, all);
+  std::cout << textOf(command, all, within);
   flushStandardOutput();
-  if (!command.out.empty()) writeDifference(command, a, b);
-  if (!command.tolerance) return ExitCode::Ok;
-  // Written so that NaN is beyond any tolerance.
-  const bool within = std::all_of(differences.begin(), differences.end(), [&](const auto& d) {
-    return valueOf(d, command.metric) <= tolerance;
-  });
-  return within ? ExitCode::Ok : ExitCode::Different;
+  if (!command.out.empty()) writeDifference(command, a, b, all.flips);
+  return !command.tolerance || within ? ExitCode::Ok : ExitCode::Different;
 }
 
 }  // namespace laver

@@ -20,9 +20,10 @@ double relativeSquare(double difference, double reference) {
   return difference * difference / (reference * reference + 1e-2);
 }
 
-/// The smallest of the values that 99.9 % of them do not exceed (nearest rank). Reorders them.
-double percentile999(std::vector<double>& values) {
-  const std::size_t rank = values.size() - values.size() / 1000;  // ceil(0.999 size)
+/// The smallest of the values that all but 1 / `rest` of them do not exceed (nearest rank).
+/// Reorders them.
+double percentile(std::vector<double>& values, std::size_t rest) {
+  const std::size_t rank = values.size() - values.size() / rest;
   const auto nth = values.begin() + static_cast<std::ptrdiff_t>(rank - 1);
   std::nth_element(values.begin(), nth, values.end());
   return *nth;
@@ -71,6 +72,22 @@ void forPairs(const Image& a, const Image& b, Use use) {
 
 }  // namespace
 
+Distribution distributionOf(std::vector<double> numbers, double tolerance) {
+  Distribution result;
+  const auto count = static_cast<double>(numbers.size());
+  for (const double x : numbers) {
+    result.mean += x / count;
+    result.maximum = std::max(result.maximum, x);
+    if (x > tolerance || x == kInfinity) result.share += 1.0;
+  }
+  result.share /= count;
+  result.median = percentile(numbers, 2);
+  result.percentile95 = percentile(numbers, 20);
+  result.percentile99 = percentile(numbers, 100);
+  result.percentile999 = percentile(numbers, 1000);
+  return result;
+}
+
 std::vector<ChannelDifference> compare(const Image& a, const Image& b, double tolerance) {
   if (!(tolerance >= 0.0))
     throw Error(ExitCode::Usage, fmt::format("the tolerance {} is not 0 or more", tolerance));
@@ -90,13 +107,10 @@ std::vector<ChannelDifference> compare(const Image& a, const Image& b, double to
       differences[p] = d;
       sum.rmse += d * d;
       sum.relativeMse += relativeSquare(d, reference);
-      sum.maximum = std::max(sum.maximum, d);
-      if (d > tolerance || d == kInfinity) sum.share += 1.0;
     }
     sum.rmse = std::sqrt(sum.rmse / n);
     sum.relativeMse /= n;
-    sum.share /= n;
-    sum.percentile999 = percentile999(differences);
+    sum.distances = distributionOf(differences, tolerance);
     result.push_back(sum);
   }
   return result;
@@ -108,8 +122,9 @@ std::string describe(const std::vector<ChannelDifference>& differences, double t
                             fmt::format("beyond {:g}", tolerance)}};
   for (const ChannelDifference& d : differences) {
     rows.push_back({d.channel, fmt::format("{:.4g}", d.rmse), fmt::format("{:.4g}", d.relativeMse),
-                    fmt::format("{:.4g}", d.maximum), fmt::format("{:.4g}", d.percentile999),
-                    fmt::format("{:.4g} %", 100.0 * d.share)});
+                    fmt::format("{:.4g}", d.distances.maximum),
+                    fmt::format("{:.4g}", d.distances.percentile999),
+                    fmt::format("{:.4g} %", 100.0 * d.distances.share)});
   }
   std::array<std::size_t, 6> widths{};
   for (const Row& row : rows) {

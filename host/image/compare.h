@@ -7,14 +7,20 @@
 
 namespace laver {
 
+/// Numbers of all pixels. A percentile is the smallest number that so many do not exceed.
+struct Distribution {
+  double mean = 0;
+  double median = 0, percentile95 = 0, percentile99 = 0, percentile999 = 0, maximum = 0;
+  double share = 0;  ///< of pixels whose number exceeds the tolerance
+};
+Distribution distributionOf(std::vector<double> numbers, double tolerance);
+
 /// The difference between two images in one channel, over all pixels.
 struct ChannelDifference {
   std::string channel;
-  double rmse = 0;           ///< root of the mean squared difference
-  double relativeMse = 0;    ///< mean of (a - b)^2 / (b^2 + 1e-2), b the reference
-  double maximum = 0;        ///< largest |a - b|
-  double percentile999 = 0;  ///< 99.9th percentile of |a - b|
-  double share = 0;          ///< share of pixels with distance(a, b) > tolerance
+  double rmse = 0;         ///< root of the mean squared difference
+  double relativeMse = 0;  ///< mean of (a - b)^2 / (b^2 + 1e-2), b the reference
+  Distribution distances;  ///< of |a - b|
 };
 
 /// Compares a with the reference b, channel by channel, by distance(). Throws Error(Usage) if sizes

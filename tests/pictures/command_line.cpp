@@ -171,6 +171,18 @@ TEST_F(CommandLine, CompareMeasuresAndJudges) {
   EXPECT_EQ(laver("compare a.exr b.exr --tolerance 0.02 --metric rmse").code,
             0);  // 0.25 / sqrt(200)
   EXPECT_EQ(laver("compare a.exr b.exr --tolerance 0.017 --metric rmse").code, 5);
+  // One of 200 pixels.
+  EXPECT_EQ(laver("compare a.exr b.exr --tolerance 0.2 --max-share 0.005").code, 0);
+  EXPECT_EQ(laver("compare a.exr b.exr --tolerance 0.2 --max-share 0.004").code, 5);
+  EXPECT_EQ(laver("compare a.exr b.exr --max-share 0.004").code, 2);
+  // Far more is seen than the one pixel, on average less than 0.1.
+  EXPECT_EQ(laver("compare a.exr b.exr --tolerance 0.1 --metric flip").code, 0);
+  EXPECT_EQ(laver("compare a.exr b.exr --tolerance 0.001 --metric ldrflip").code, 5);
+  const Outcome json = laver("compare a.exr b.exr --tolerance 0.2 --metric flip --json");
+  const auto all = nlohmann::json::parse(json.out);
+  EXPECT_EQ(all["within"], json.code == 0);
+  EXPECT_EQ(all["channels"]["G"]["max"], 0.25);
+  EXPECT_GT(all["flip"]["mean"], 0.0);
   writeExr((folder_ / "c.exr").string(), rgbImage(21, 10));
   const Outcome sizes = laver("compare a.exr c.exr");
   EXPECT_EQ(sizes.code, 2);

@@ -22,17 +22,17 @@ TEST(Compare, MatchesValuesComputedByHand) {
   EXPECT_EQ(d.channel, "Y");
   EXPECT_DOUBLE_EQ(d.rmse, 2.5);  // sqrt(25 / 4)
   EXPECT_DOUBLE_EQ(d.relativeMse, (9.0 / 1.01 + 16.0 / 100.01) / 4.0);
-  EXPECT_EQ(d.maximum, 4.0);
-  EXPECT_EQ(d.percentile999, 4.0);
-  EXPECT_EQ(d.share, 0.25);  // 3 does not exceed 3
+  EXPECT_EQ(d.distances.maximum, 4.0);
+  EXPECT_EQ(d.distances.percentile999, 4.0);
+  EXPECT_EQ(d.distances.share, 0.25);  // 3 does not exceed 3
 }
 
 TEST(Compare, IsExactInDouble) {
   const ChannelDifference d = compareOne({1.0f, 3e38f}, {std::nextafter(1.0f, 2.0f), -3e38f}, 0.0);
-  EXPECT_DOUBLE_EQ(d.maximum, 2.0 * static_cast<double>(3e38f));
+  EXPECT_DOUBLE_EQ(d.distances.maximum, 2.0 * static_cast<double>(3e38f));
   EXPECT_DOUBLE_EQ(d.rmse, std::sqrt(2.0) * static_cast<double>(3e38f));
-  EXPECT_EQ(d.share, 1.0);
-  EXPECT_EQ(compareOne({1.0f}, {std::nextafter(1.0f, 2.0f)}, 0.0).maximum, 0x1p-23);
+  EXPECT_EQ(d.distances.share, 1.0);
+  EXPECT_EQ(compareOne({1.0f}, {std::nextafter(1.0f, 2.0f)}, 0.0).distances.maximum, 0x1p-23);
 }
 
 TEST(Compare, TakesTheNearestRankAsPercentile) {
@@ -40,7 +40,7 @@ TEST(Compare, TakesTheNearestRankAsPercentile) {
   const auto percentile = [](unsigned n) {
     std::vector<float> a;
     for (unsigned i = 0; i < n; ++i) a.push_back(static_cast<float>((i * 7919u) % n + 1u));
-    return compareOne(a, std::vector<float>(n, 0.0f), 0.0).percentile999;
+    return compareOne(a, std::vector<float>(n, 0.0f), 0.0).distances.percentile999;
   };
   EXPECT_EQ(percentile(1), 1.0);
   EXPECT_EQ(percentile(999), 999.0);
@@ -49,18 +49,30 @@ TEST(Compare, TakesTheNearestRankAsPercentile) {
   EXPECT_EQ(percentile(2000), 1998.0);
 }
 
+TEST(Compare, HasMeanAndPercentiles) {
+  std::vector<double> numbers;
+  for (int i = 1; i <= 200; ++i) numbers.push_back(i);
+  const Distribution d = distributionOf(numbers, 150.0);
+  EXPECT_DOUBLE_EQ(d.mean, 100.5);
+  EXPECT_EQ(d.median, 100.0);
+  EXPECT_EQ(d.percentile95, 190.0);
+  EXPECT_EQ(d.percentile99, 198.0);
+  EXPECT_EQ(d.percentile999, 200.0);
+  EXPECT_DOUBLE_EQ(d.share, 0.25);
+}
+
 TEST(Compare, MatchesChannelsByName) {
   const Image a = row({"R", "G", "B"}, {1, 2, 3, 4, 5, 6});
   const Image b = row({"B", "G", "R"}, {3, 2, 1, 6, 5.5f, 4});
   const std::vector<ChannelDifference> d = compare(a, b, 0.1);
   ASSERT_EQ(d.size(), 3u);
   EXPECT_EQ(d[0].channel, "R");
-  EXPECT_EQ(d[0].maximum, 0.0);
+  EXPECT_EQ(d[0].distances.maximum, 0.0);
   EXPECT_EQ(d[1].channel, "G");
-  EXPECT_EQ(d[1].maximum, 0.5);
-  EXPECT_EQ(d[1].share, 0.5);
+  EXPECT_EQ(d[1].distances.maximum, 0.5);
+  EXPECT_EQ(d[1].distances.share, 0.5);
   EXPECT_EQ(d[2].channel, "B");
-  EXPECT_EQ(d[2].maximum, 0.0);
+  EXPECT_EQ(d[2].distances.maximum, 0.0);
 }
 
 TEST(Compare, EqualNonFiniteValuesHaveDistanceZero) {
@@ -68,9 +80,9 @@ TEST(Compare, EqualNonFiniteValuesHaveDistanceZero) {
   const ChannelDifference d = compareOne(odd, {kNan, kInfinity, -kInfinity, 0.0f}, 0.0);
   EXPECT_EQ(d.rmse, 0.0);
   EXPECT_EQ(d.relativeMse, 0.0);
-  EXPECT_EQ(d.maximum, 0.0);
-  EXPECT_EQ(d.percentile999, 0.0);
-  EXPECT_EQ(d.share, 0.0);
+  EXPECT_EQ(d.distances.maximum, 0.0);
+  EXPECT_EQ(d.distances.percentile999, 0.0);
+  EXPECT_EQ(d.distances.share, 0.0);
 }
 
 TEST(Compare, DifferentNonFiniteValuesHaveDistanceInfinity) {
@@ -82,8 +94,8 @@ TEST(Compare, DifferentNonFiniteValuesHaveDistanceInfinity) {
       const ChannelDifference d = compareOne({pair[0], 5}, {pair[1], 5}, tolerance);
       EXPECT_EQ(d.rmse, kEndless) << pair[0] << " " << pair[1];
       EXPECT_EQ(d.relativeMse, kEndless);
-      EXPECT_EQ(d.maximum, kEndless);
-      EXPECT_EQ(d.share, 0.5);
+      EXPECT_EQ(d.distances.maximum, kEndless);
+      EXPECT_EQ(d.distances.share, 0.5);
     }
   }
 }
@@ -106,7 +118,9 @@ TEST(Compare, RefusesPicturesThatDoNotMatch) {
 
 TEST(CompareReport, IsAnAlignedTable) {
   const std::string table =
-      describe({{"R", 2.5, 0.25, 4, 3, 0.125}, {"N.X", 0, 0, 0, kEndless, 0}}, 1e-3);
+      describe({{"R", 2.5, 0.25, {.percentile999 = 3, .maximum = 4, .share = 0.125}},
+                {"N.X", 0, 0, {.percentile999 = kEndless}}},
+               1e-3);
   EXPECT_EQ(table,
             "channel  RMSE  relative MSE  maximum  99.9th percentile  beyond 0.001\n"
             "R         2.5          0.25        4                  3        12.5 %\n"
@@ -114,7 +128,8 @@ TEST(CompareReport, IsAnAlignedTable) {
 }
 
 TEST(CompareReport, WidensForLongNamesAndNumbers) {
-  const std::string table = describe({{"diffuse.albedo.R", 1.23456789e-10, 0, 0, 0, 1e-7}}, 0.0);
+  const std::string table =
+      describe({{"diffuse.albedo.R", 1.23456789e-10, 0, {.share = 1e-7}}}, 0.0);
   EXPECT_EQ(table,
             "channel                RMSE  relative MSE  maximum  99.9th percentile  beyond 0\n"
             "diffuse.albedo.R  1.235e-10             0        0                  0   1e-05 %\n");
