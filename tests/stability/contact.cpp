@@ -89,11 +89,11 @@ bool seesAll(Subject& subject, const Contact& c, const Packed& data, double ligh
 }
 
 LAVER_STABILITY(Contact, "The smallest contact gap that still casts a shadow") {
-  // The sweep starts with the largest gap and ends where a point under the plate is lit: halving
-  // steps, then steps of 2^-24 of the half-width, an ulp at 0.9 of it.
+  // The sweep starts with the largest gap and ends where a point under the plate is lit: quarters,
+  // then multiples of 2^-24 of the half-width, an ulp at 0.9 of it.
   std::vector<double> gaps;
-  for (double gap = 0.2; gap > 2e-6; gap *= 0.5) gaps.push_back(gap);
-  for (int ulps = 16; ulps > 0; --ulps) gaps.push_back(ulps * 0x1p-24);
+  for (double gap = 0.2; gap > 2e-6; gap *= 0.25) gaps.push_back(gap);
+  for (const int ulps : {16, 12, 8, 6, 4, 3, 2, 1}) gaps.push_back(ulps * 0x1p-24);
   struct Place {
     const char* name;
     double level;
