@@ -35,11 +35,12 @@ class TestReader {
         readProperty(child);
       else if (tag == "scene")
         readScene(child);
-      else if (tag != "bsdf")
+      else if (tag != "bsdf" && tag != "emitter")
         error(child,
-              fmt::format("<{}> in <test>: expected <bsdf>, <scene> or a property", child.name()));
+              fmt::format("<{}> in <test>: expected <bsdf>, <emitter>, <scene> or a property",
+                          child.name()));
     }
-    readBsdfs(root);
+    readParts(root);
     check(root);
     return std::move(test_);
   }
@@ -61,8 +62,12 @@ class TestReader {
   void readProperty(pugi::xml_node node) {
     const std::string_view name = node.attribute("name").value();
     const std::string_view value = node.attribute("value").value();
-    if (name == "references" || name == "angles") {
-      readList(node, value, name == "angles" ? test_.angles : test_.references);
+    if (name == "references") {
+      readList(node, value, test_.references);
+    } else if (name == "angles") {
+      readList(node, value, test_.angles);
+    } else if (name == "distances") {
+      readList(node, value, test_.distances);
     } else if (name == "significanceLevel") {
       const auto level = parseReal(value);
       if (!level || !(level.value > 0.0) || !(level.value < 1.0))
@@ -80,9 +85,10 @@ class TestReader {
     } else {
       diagnostics_.warning(
           offsetOf(node, source_),
-          fmt::format("<test> has no property {}: ignored; it takes references, angles, "
-                      "sampleCount, significanceLevel, resolution, minExpFrequency, testCount",
-                      xml::inQuotes(name)));
+          fmt::format(
+              "<test> has no property {}: ignored; it takes references, angles, "
+              "distances, sampleCount, significanceLevel, resolution, minExpFrequency, testCount",
+              xml::inQuotes(name)));
     }
   }
 
@@ -116,9 +122,10 @@ class TestReader {
     test_.scenes.push_back(std::move(draft.scene));
   }
 
-  /// BSDFs are read as those of spheres in a scene, which takes their tags out of <test>.
-  void readBsdfs(pugi::xml_node root) {
-    if (!root.child("bsdf")) return;
+  /// BSDFs are read as those of spheres in a scene, and emitters as those of that scene. Their tags
+  /// are taken out of <test>.
+  void readParts(pugi::xml_node root) {
+    if (!root.child("bsdf") && !root.child("emitter")) return;
     pugi::xml_node scene = root.append_child("scene");
     scene.append_child("integrator").append_attribute("type") = "normals";
     while (const pugi::xml_node bsdf = root.child("bsdf")) {
@@ -126,6 +133,9 @@ class TestReader {
       mesh.append_attribute("type") = "sphere";
       mesh.append_move(bsdf);
     }
+    std::size_t emitters = 0;
+    for (pugi::xml_node emitter; (emitter = root.child("emitter")); ++emitters)
+      scene.append_move(emitter);
     SceneOverrides overrides = overrides_;
     overrides.shading = true;
     overrides.integrator.reset();
@@ -135,7 +145,10 @@ class TestReader {
     if (diagnostics_.errorCount() != 0) return;
     xml::loadFiles(source_, draft, diagnostics_);
     for (Mesh& mesh : draft.scene.meshes) test_.bsdfs.push_back(std::move(mesh.bsdf));
+    test_.lights = std::move(draft.scene.lights);
     root.remove_child(scene);
+    if (test_.lights.size() != emitters)
+      error(root, "a background cannot be tested, expected emitters without extent");
   }
 
   void check(pugi::xml_node root) {
@@ -144,18 +157,21 @@ class TestReader {
     if (test_.sampleCount == 0)
       test_.sampleCount =
           student ? kSamples : 2 * test_.resolution * test_.resolution * kSamplesPerCell;
-    const std::size_t bsdfs = test_.bsdfs.size(), scenes = test_.scenes.size();
-    if (bsdfs != 0 && scenes != 0)
-      return error(root, "a test of BSDFs and of scenes, expected one");
-    if (bsdfs == 0 && scenes == 0)
-      return error(root, student ? "nothing to test, expected <bsdf> or <scene>"
-                                 : "nothing to test, expected <bsdf>");
-    if (!student && scenes != 0) return error(root, "a chi2test tests BSDFs, expected <bsdf>");
+    const std::size_t bsdfs = test_.bsdfs.size(), scenes = test_.scenes.size(),
+                      lights = test_.lights.size();
+    if (int{bsdfs != 0} + int{scenes != 0} + int{lights != 0} > 1)
+      return error(root, "a test of several kinds of things, expected one");
+    if (!student && bsdfs == 0) return error(root, "a chi2test tests BSDFs, expected <bsdf>");
+    if (bsdfs + scenes + lights == 0)
+      return error(root, "nothing to test, expected <bsdf>, <emitter> or <scene>");
     if (!student) return;
     if (bsdfs != 0 && test_.angles.empty())
       return error(root, "a ttest of BSDFs needs the property \"angles\"");
+    if (lights != 0 && test_.distances.empty())
+      return error(root, "a ttest of emitters needs the property \"distances\"");
     // References may stand for each of several BSDFs.
-    const std::size_t tests = scenes + bsdfs * test_.angles.size();
+    const std::size_t tests =
+        scenes + bsdfs * test_.angles.size() + lights * test_.distances.size();
     const bool shared = bsdfs != 0 && test_.references.size() == test_.angles.size();
     for (std::size_t i = 1; shared && i < bsdfs; ++i)
       for (std::size_t k = 0; k < test_.angles.size(); ++k)

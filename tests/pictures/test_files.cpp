@@ -114,6 +114,20 @@ TEST_F(TestFilesOfDevice, TestScenesSeenThroughASinglePixel) {
   EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
 }
 
+// A power of 4 pi at a distance of 2 and of 3: 1/4 and 1/9.
+TEST_F(TestFilesOfDevice, TestLightsWithoutExtent) {
+  const std::string light =
+      "<emitter type=\"point\"><point name=\"position\" value=\"0 0 -1\"/>"
+      "<color name=\"power\" value=\"12.566371 12.566371 12.566371\"/></emitter></test>";
+  const std::string start =
+      "<test type=\"ttest\"><string name=\"distances\" value=\"1, 2\"/>"
+      "<string name=\"references\" value=\"0.25 ";
+  const Outcome right = run(start + "0.111111\"/>" + light, "--dialect eth");
+  EXPECT_EQ(right.code, 0) << right.out << right.err;
+  EXPECT_TRUE(says(right, "Passed 2/2 tests.")) << right.out;
+  EXPECT_EQ(run(start + "0.1112\"/>" + light, "--dialect eth").code, 5);
+}
+
 TEST_F(TestFilesOfDevice, TheReferenceDoesNotRunAUsersCode) {
   write("mine.glsl", ownBsdf(kCosine, "m.albedo"));
   const Outcome outcome = run(std::string("<test type=\"chi2test\">") + kOwn, "--reference");

@@ -82,7 +82,7 @@ TEST_F(TestFiles, StateTheirErrorsWithPositions) {
   EXPECT_EQ(errors("<test>" + kDiffuse + "</test>"),
             "t.xml:1:2: error: the type of a test is \"\", expected \"ttest\" or \"chi2test\"");
   EXPECT_EQ(errors("<test type=\"ttest\"/>"),
-            "t.xml:1:2: error: nothing to test, expected <bsdf> or <scene>");
+            "t.xml:1:2: error: nothing to test, expected <bsdf>, <emitter> or <scene>");
   EXPECT_EQ(errors("<test type=\"ttest\">\n" + kDiffuse + "</test>"),
             "t.xml:1:2: error: a ttest of BSDFs needs the property \"angles\"");
   EXPECT_EQ(errors("<test type=\"ttest\">\n<string name=\"angles\" value=\"0 45\"/>"
@@ -95,8 +95,13 @@ TEST_F(TestFiles, StateTheirErrorsWithPositions) {
   EXPECT_EQ(errors("<test type=\"chi2test\">\n  <bsdf type=\"mirrow\"/></test>")
                 .find("t.xml:2:4: error: "),
             0U);
-  EXPECT_EQ(errors("<test type=\"chi2test\">\n<emitter type=\"point\"/>" + kDiffuse + "</test>"),
-            "t.xml:2:2: error: <emitter> in <test>: expected <bsdf>, <scene> or a property");
+  EXPECT_EQ(
+      errors("<test type=\"chi2test\">\n<mesh type=\"obj\"/>" + kDiffuse + "</test>"),
+      "t.xml:2:2: error: <mesh> in <test>: expected <bsdf>, <emitter>, <scene> or a property");
+  EXPECT_EQ(errors("<test type=\"ttest\">\n<emitter type=\"pointlight\"/>" + kDiffuse + "</test>"),
+            "t.xml:1:2: error: a test of several kinds of things, expected one");
+  EXPECT_EQ(errors("<test type=\"ttest\">\n<emitter type=\"pointlight\"/></test>"),
+            "t.xml:1:2: error: a ttest of emitters needs the property \"distances\"");
   EXPECT_EQ(errors("<test type=\"chi2test\">\n<integer name=\"resolution\" value=\"0\"/>" +
                    kDiffuse + "</test>"),
             "t.xml:2:2: error: resolution must be 1 to 1000, found \"0\"");

@@ -9,6 +9,7 @@
 
 #include "lab/hypothesis/bsdf_source.h"
 #include "lab/hypothesis/statistics.h"
+#include "reference/emitter.h"
 #include "reference/pcg32.h"
 #include "reference/reference.h"
 #include "scene/bsdfs.h"
@@ -37,6 +38,8 @@ class Run {
   TestOutcome run() {
     if (!file_.scenes.empty()) {
       studentOfScenes();
+    } else if (!file_.lights.empty()) {
+      studentOfLights();
     } else {
       const BsdfSource source(file_.bsdfs, options_);
       if (file_.kind == TestFile::Kind::Student)
@@ -176,6 +179,23 @@ class Run {
             double{answers[i].pdf} * area * file_.sampleCount;
     }
     return cells;
+  }
+
+  /// Lights without extent are not sampled: what arrives is one number, in double precision.
+  void studentOfLights() {
+    std::size_t test = 0;
+    for (std::size_t which = 0; which < file_.lights.size(); ++which)
+      for (const double distance : file_.distances) {
+        const PointLight& light = file_.lights[which];
+        print_(fmt::format("Testing emitter {} ({}) at (0, 0, {})\n", which + 1, light.row->name,
+                           distance));
+        const glm::dvec3 arriving =
+            light.row->sample(light, {0.0, 0.0, distance}, std::abs(distance)).radiance;
+        Moments sample;
+        for (std::uint32_t i = 0; i < file_.sampleCount; ++i)
+          sample.add(luminanceOf(arriving.x, arriving.y, arriving.z));
+        conclude(sample, file_.references[test++], "");
+      }
   }
 
   void studentOfScenes() {
