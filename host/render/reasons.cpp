@@ -78,6 +78,19 @@ Reason rays(const Facts& f) {
           "the tree is not built, no ray is traced", f.primitives * sizeof(shared::Triangle)};
 }
 
+/// See render/space.h.
+Reason coordinates(const Facts& f) {
+  const Normalisation& space = f.uploads.space;
+  const std::string start =
+      space.start > 0.0 ? fmt::format("; rays start at z = {:.4g} of the camera", space.start) : "";
+  if (!space.wide())
+    return {"coordinates", "centred on the box of all meshes" + start,
+            start.empty() ? "nothing visible is near beside that box" : "pixels are narrow",
+            "splitting large triangles", 0};
+  return {"coordinates", "centred on what is near" + start,
+          fmt::format("something visible is near beside the box: {:.4g} units", space.unit), "", 0};
+}
+
 Reason spheres(const Facts& f) {
   if (f.hasSpheres) return {"spheres", countOf(f.spheres, "sphere"), "the scene has them", "", 0};
   return {"spheres", "left out", f.spheres == 0 ? "the scene has none" : "no ray is traced",
@@ -297,9 +310,10 @@ std::vector<Reason> reasonsOf(const Scene& scene, const RenderOptions& options,
   std::vector<Reason> reasons = {integrator(f),
                                  {"traversal", traversalName(choices.traversal), traversal, "", 0}};
   for (const auto reason :
-       {rays,          spheres,    planes, normals,  materials,  materialBsdfs, surfaceTextures,
-        images,        background, uvs,    indices,  lights,     shadowRays,    sampler,
-        samplerTables, filter,     film,   adaptive, sideBySide, passes})
+       {rays,          coordinates,     spheres, planes,        normals, materials,
+        materialBsdfs, surfaceTextures, images,  background,    uvs,     indices,
+        lights,        shadowRays,      sampler, samplerTables, filter,  film,
+        adaptive,      sideBySide,      passes})
     reasons.push_back(reason(f));
   return reasons;
 }

@@ -121,6 +121,30 @@ TEST(ScenePlan, SaysWhatPathsMeet) {
   EXPECT_EQ(line(sky, "lights").choice, "0 lights, 0 meshes that emit, the background");
 }
 
+TEST(ScenePlan, NamesTheCentreOfCoordinates) {
+  const auto choice = [](Scene scene) {
+    return line(planScene(scene, {}, {}, testDeviceInfo()), "coordinates").choice;
+  };
+  Scene scene = smallScene("bunny-whitted.xml", 16, 1);
+  EXPECT_EQ(choice(scene), "centred on the box of all meshes");
+  scene.camera.fov = 3e-3;
+  EXPECT_NE(choice(scene).find("; rays start at z = "), std::string::npos) << choice(scene);
+  scene = smallScene("bunny-whitted.xml", 16, 1);
+  scene.meshes.push_back(
+      quad({{{-1e5, 0, -1e5}, {-1e5, 0, 1e5}, {1e5, 0, 1e5}, {1e5, 0, -1e5}}}, {0.5, 0.5, 0.5}));
+  EXPECT_EQ(choice(scene), "centred on what is near");
+}
+
+TEST(ScenePlan, NamesPlanesOfNarrowTriangles) {
+  EXPECT_EQ(
+      line(planScene(smallScene("bunny-whitted.xml", 16, 1), {}, {}, testDeviceInfo()), "planes")
+          .choice,
+      "accurate");
+  EXPECT_EQ(
+      line(planScene(smallScene("spheres.xml", 16, 1), {}, {}, testDeviceInfo()), "planes").choice,
+      "plain");
+}
+
 TEST(ScenePlan, ListsSpheres) {
   const Scene scene = smallScene("spheres.xml", 16, 1);
   const ScenePlan plan = planScene(scene, {}, {}, testDeviceInfo());
