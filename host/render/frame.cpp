@@ -45,7 +45,7 @@ Frame::Frame(const Device& device, const Packed& packed, const Choices& choices,
       covered_(coverageOf(packed)),
       kernels_(kernels.get()),
       gatherable_(covered_) {
-  work_.modules = {kernels_.trace.source, kernels_.gather.source};
+  work_.modules = {kernels_.trace->source, kernels_.gather->source};
 }
 
 void Frame::begin(const PictureChoice& picture) {
@@ -79,7 +79,7 @@ void Frame::compileTrace(Traversal traversal) {
   key.portions = portions_.has_value();
   key.stack = stackFor(key.stack, key.portions ? portions_->stack : packed_.bvh.stack);
   kernels_.trace = compileKernel(device_, onDevice_.bindings(), compose(key));
-  work_.modules.push_back(kernels_.trace.source);
+  work_.modules.push_back(kernels_.trace->source);
 }
 
 void Frame::clearFilm() {
@@ -177,7 +177,7 @@ void Frame::dispatchLights(shared::Pass pass) {
       const std::vector<Dispatch> dispatches = tracing(pass);
       device_.run([&](VkCommandBuffer commands) {
         for (const Dispatch& dispatch : dispatches)
-          record(commands, kernels_.trace.kernel, dispatch);
+          record(commands, kernels_.trace->kernel, dispatch);
       });
     }
     pass.firstLight += pass.lightCount;
@@ -225,7 +225,7 @@ void Frame::gather(const shared::Pass& given) {
   shared::Pass pass = given;
   pass.stripRows = mapped() ? shared::STRIP_ROWS : choices_.tiling.gatherRows;
   device_.run([&](VkCommandBuffer commands) {
-    const Kernel& kernel = kernels_.gather.kernel;
+    const Kernel& kernel = kernels_.gather->kernel;
     if (mapped()) {
       pass.part = {0, 0, pass.core.z, pass.core.w};
       if (gathering_.rows != 0) record(commands, kernel, listed(pass, gathering_));

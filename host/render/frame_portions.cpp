@@ -85,7 +85,7 @@ bool Frame::answerQueries(Dispatch dispatch) {
   const auto run = [&] {
     onDevice_.status().upload(std::as_bytes(std::span(&before, 1)));
     device_.run(
-        [&](VkCommandBuffer commands) { record(commands, kernels_.trace.kernel, dispatch); });
+        [&](VkCommandBuffer commands) { record(commands, kernels_.trace->kernel, dispatch); });
     onDevice_.status().download(std::as_writable_bytes(std::span(&status_, 1)));
     return status_.incomplete == 0;
   };

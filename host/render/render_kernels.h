@@ -1,4 +1,7 @@
 #pragma once
+#include <map>
+#include <memory>
+#include <mutex>
 #include <string>
 
 #include "kernels/modules.h"
@@ -14,17 +17,30 @@ struct CompiledKernel {
 
 /// The kernels of a picture.
 struct Kernels {
-  CompiledKernel trace, gather;
+  std::shared_ptr<const CompiledKernel> trace, gather;
+};
+
+/// Keeps kernels for later renders on the same device, which must outlive it.
+class KeptKernels {
+ public:
+  /// Each text is compiled once for buffers of these formats. Threads may share the object.
+  std::shared_ptr<const CompiledKernel> kernel(const Device& device, const Bindings& bindings,
+                                               const std::string& text, VkFormat attributes);
+
+ private:
+  std::mutex mutex_;
+  std::map<std::pair<std::string, VkFormat>, std::shared_ptr<const CompiledKernel>> kernels_;
 };
 
 /// Compiles a kernel's text and makes the driver generate machine code, which lavapipe defers to
 /// the first dispatch; `bindings` must have buffers of the final formats. Throws Error(Scene) for
 /// errors in a user's text.
-CompiledKernel compileKernel(const Device& device, const Bindings& bindings,
-                             const std::string& text);
+std::shared_ptr<const CompiledKernel> compileKernel(const Device& device, const Bindings& bindings,
+                                                    const std::string& text);
 
-/// Compiles both kernels concurrently, before the scene is on the device.
+/// Compiles both kernels concurrently, before the scene is on the device, or takes them from
+/// `kept`, which may be null.
 Kernels compileKernels(const Device& device, const TraceKey& trace, const GatherKey& gather,
-                       VkFormat attributes);
+                       VkFormat attributes, KeptKernels* kept);
 
 }  // namespace laver

@@ -37,6 +37,7 @@ Start startVulkan(const VulkanOptions& options) {
 struct Renderer::Impl {
   VulkanOptions options;
   std::shared_future<Start> start;
+  KeptKernels kept{};  // destroyed before the device
 };
 
 Renderer::Renderer(const VulkanOptions& options) : impl_(new Impl{options, {}}) {
@@ -60,7 +61,8 @@ Rendered Renderer::render(const Scene& scene, const RenderOptions& options, Film
   auto compiling = std::async(kBeside, [&] {
     const Stopwatch watch(compileSeconds);
     return compileKernels(device, choices.pictures.front().key, choices.gather,
-                          attributeFormat(choices.uploads));
+                          attributeFormat(choices.uploads),
+                          impl_->options.keepsKernels ? &impl_->kept : nullptr);
   });
   const Packed packed = pack(scene, options, choices.uploads);
   Observers observers(options.observers);

@@ -22,6 +22,7 @@ struct VulkanOptions {
   bool wholeFilm = false;             ///< for tests: also traces pixels that see no geometry
   bool poisoned = false;              ///< for tests: samples are NaN until they are traced
   std::vector<std::string> general;   ///< for tests: parts of generalParts()
+  bool keepsKernels = false;          ///< for tests: renders take kernels from earlier ones
 };
 
 /// Renders on a Vulkan device, which starts on another thread while the scene is loaded.

@@ -1,0 +1,135 @@
+#include "random/compared.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "render/tiling.h"
+
+namespace laver::test {
+namespace {
+
+using glm::dvec2;
+using glm::dvec3;
+
+dvec3 pixelOf(const Image& image, int x, int y) {
+  return {image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)};
+}
+
+double levelOf(const Image& image) {
+  std::vector<double> values;
+  for (const float value : image.pixels)
+    if (value != 0.0F) values.push_back(std::abs(static_cast<double>(value)));
+  if (values.empty()) return std::numeric_limits<double>::min();
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// The largest difference of a channel beyond the tolerance, else 0.
+double differenceOf(dvec3 got, dvec3 wanted, double level) {
+  double largest = 0.0;
+  for (int c = 0; c < 3; ++c) {
+    const double d = std::abs(got[c] - wanted[c]);
+    if (d > kTolerance * std::max(level, std::abs(wanted[c]))) largest = std::max(largest, d);
+  }
+  return largest;
+}
+
+/// Accounts for differences of pixels.
+class Explainer {
+ public:
+  Explainer(const RandomScene& random, const Reference& reference)
+      : scene_(random.scene),
+        reference_(reference),
+        judge_(scene_, reference),
+        bounds_(scene_, judge_.rounding()) {}
+
+  /// Whether some sample that the pixel's filter reaches may differ by half as much.
+  bool explains(int x, int y, double difference) const {
+    const int apron = static_cast<int>(apronOf(scene_.filter.radius));
+    const Camera& camera = scene_.camera;
+    for (int v = std::max(y - apron, 0); v <= std::min(y + apron, camera.height - 1); ++v)
+      for (int u = std::max(x - apron, 0); u <= std::min(x + apron, camera.width - 1); ++u)
+        for (std::uint32_t s = 0; s < scene_.sampler.sampleCount; ++s)
+          if (mayDiffer(dvec2(reference_.samplePosition(u, v, s)),
+                        reference_.sampleNumbers(u, v, s), 0.5 * difference))
+            return true;
+    return false;
+  }
+
+ private:
+  bool mayDiffer(dvec2 film, const reference::Numbers& numbers, double difference) const {
+    if (judge_.otherValue(film, numbers, difference)) return true;
+    if (scene_.camera.row->lens) return false;  // the hit depends on the lens, too
+    const auto hit = reference_.closest(film);
+    if (!hit) return false;
+    const ValueBounds bounds = bounds_.at(film, *hit);
+    const IntegratorRow& row = *scene_.integrator.row;
+    const std::string name = row.name;
+    if (name == "depth") return bounds.depth >= difference * hit->distance;
+    if (name.ends_with("normals")) return bounds.normal >= difference;
+    if (name == "direct_whitted" && bounds.radiance >= difference) return true;
+    // The normal of a sliver turns what is sampled or shaded with it.
+    return row.needs.numbers && turned(film, numbers, bounds.normal, difference);
+  }
+
+  bool turned(dvec2 film, const reference::Numbers& numbers, double angle,
+              double difference) const {
+    const dvec3 own = reference_.radiance(film, numbers);
+    for (const dvec2 by : {dvec2(1, 0), dvec2(-1, 0), dvec2(0, 1), dvec2(0, -1)}) {
+      const dvec3 d = glm::abs(reference_.radiance(film, numbers.moved(angle * by)) - own);
+      if (std::max({d.x, d.y, d.z}) > difference) return true;
+    }
+    return false;
+  }
+
+  const Scene& scene_;
+  const Reference& reference_;
+  Judge judge_;
+  BoundsOf bounds_;
+};
+
+/// Of the paired differences of pixels' means. A sample reaches (2 apron + 1)^2 pixels, of which
+/// only one counts as independent.
+double driftOf(const Image& image, const Image& truth, int apron) {
+  double sum = 0.0, squares = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const double d = static_cast<double>(image.pixels[i]) - static_cast<double>(truth.pixels[i]);
+    sum += d;
+    squares += d * d;
+    count += 1.0;
+  }
+  const double mean = sum / count, variance = squares / count - mean * mean;
+  const double independent = count / 3.0 / std::pow(2.0 * apron + 1.0, 2);
+  return variance > 0.0 ? mean / std::sqrt(variance / std::max(1.0, independent)) : 0.0;
+}
+
+}  // namespace
+
+Compared compare(const Image& image, const Image& truth, const RandomScene& random,
+                 const Reference& reference) {
+  Compared result;
+  result.pixels = image.width * image.height;
+  const double level = levelOf(truth);
+  std::optional<Explainer> explainer;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const dvec3 got = pixelOf(image, x, y), wanted = pixelOf(truth, x, y);
+      const double difference = differenceOf(got, wanted, level);
+      if (difference == 0.0) continue;
+      ++result.differing;
+      if (!explainer) explainer.emplace(random, reference);
+      if (explainer->explains(x, y, difference)) continue;
+      if (result.unexplained++ == 0)
+        result.first = fmt::format("pixel {}, {} is {:.6g} {:.6g} {:.6g}, not {:.6g} {:.6g} {:.6g}",
+                                   x, y, got.x, got.y, got.z, wanted.x, wanted.y, wanted.z);
+    }
+  result.drift = driftOf(image, truth, static_cast<int>(apronOf(random.scene.filter.radius)));
+  return result;
+}
+
+}  // namespace laver::test

@@ -1,0 +1,32 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace laver::test {
+
+/// What determines the kernels of a random scene. Kinds are few, since compiling costs more than
+/// rendering: kBlock consecutive seeds share one, and kKinds of them follow each other in a cycle.
+struct Kind {
+  const IntegratorRow* integrator;
+  const SamplerRow* sampler;
+  Filter filter;
+  std::vector<const BsdfRow*> bsdfs;  ///< of the first meshes, one each
+  const TextureRow* texture;          ///< of the first mesh; null: none
+  const EmitterRow* sky;              ///< null: black
+  bool lamp;                          ///< the second mesh emits, if the integrator shows it
+  bool lens;
+  bool general;                         ///< one kernel for all scenes: no part is left out
+  std::vector<std::string> traversals;  ///< by which it is rendered
+
+  /// Differences from the reference are explained one by one (host/lab/explain/).
+  bool explained() const { return !integrator->bounces && !lens; }
+};
+
+inline constexpr std::uint64_t kBlock = 20, kKinds = 96;
+
+Kind kindOf(std::uint64_t seed);
+
+}  // namespace laver::test
