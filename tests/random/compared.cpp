@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <optional>
 
 #include "render/tiling.h"
 
@@ -19,14 +21,14 @@ dvec3 pixelOf(const Image& image, int x, int y) {
   return {image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)};
 }
 
-double levelOf(const Image& image) {
+double levelOf(const Image& image, double least) {
   std::vector<double> values;
   for (const float value : image.pixels)
     if (value != 0.0F) values.push_back(std::abs(static_cast<double>(value)));
-  if (values.empty()) return std::numeric_limits<double>::min();
+  if (values.empty()) return least;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return std::max(*middle, least);
 }
 
 /// The largest difference of a channel beyond the tolerance, else 0.
@@ -39,14 +41,31 @@ double differenceOf(dvec3 got, dvec3 wanted, double level) {
   return largest;
 }
 
+/// The scene with white surfaces, lit by point lights only, for bounds of what they show.
+Scene boundedBy(Scene scene) {
+  for (Mesh& mesh : scene.meshes) {
+    mesh.bsdf = {};
+    mesh.bsdf.set("albedo", dvec3(1.0));
+  }
+  // One of the sources is drawn, as if it were all of them. Powers may differ.
+  const auto sources = static_cast<double>(scene.lights.size() + 2);
+  if (scene.integrator.row->bounces)
+    for (PointLight& light : scene.lights) light.radiance *= sources;
+  if (scene.integrator.row->looksOn)
+    scene.lights = {{scene.integrator.triple("position"),
+                     scene.integrator.triple("energy") / (4.0 * std::numbers::pi)}};
+  return scene;
+}
+
 /// Accounts for differences of pixels.
 class Explainer {
  public:
   Explainer(const RandomScene& random, const Reference& reference)
       : scene_(random.scene),
         reference_(reference),
+        bounded_(boundedBy(random.scene)),
         judge_(scene_, reference),
-        bounds_(scene_, judge_.rounding()) {}
+        bounds_(bounded_, judge_.rounding()) {}
 
   /// Whether some sample that the pixel's filter reaches may differ by half as much.
   bool explains(int x, int y, double difference) const {
@@ -72,7 +91,7 @@ class Explainer {
     const std::string name = row.name;
     if (name == "depth") return bounds.depth >= difference * hit->distance;
     if (name.ends_with("normals")) return bounds.normal >= difference;
-    if (name == "direct_whitted" && bounds.radiance >= difference) return true;
+    if (bounds.radiance >= difference) return true;
     // The normal of a sliver turns what is sampled or shaded with it.
     return row.needs.numbers && turned(film, numbers, bounds.normal, difference);
   }
@@ -89,23 +108,26 @@ class Explainer {
 
   const Scene& scene_;
   const Reference& reference_;
+  Scene bounded_;
   Judge judge_;
   BoundsOf bounds_;
 };
 
 /// Of the paired differences of pixels' means. A sample reaches (2 apron + 1)^2 pixels, of which
-/// only one counts as independent.
+/// only one counts as independent. Means that agree to the tolerance have none.
 double driftOf(const Image& image, const Image& truth, int apron) {
-  double sum = 0.0, squares = 0.0, count = 0.0;
+  double sum = 0.0, squares = 0.0, count = 0.0, level = 0.0;
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     const double d = static_cast<double>(image.pixels[i]) - static_cast<double>(truth.pixels[i]);
+    level += std::abs(static_cast<double>(truth.pixels[i]));
     sum += d;
     squares += d * d;
     count += 1.0;
   }
   const double mean = sum / count, variance = squares / count - mean * mean;
-  const double independent = count / 3.0 / std::pow(2.0 * apron + 1.0, 2);
-  return variance > 0.0 ? mean / std::sqrt(variance / std::max(1.0, independent)) : 0.0;
+  if (std::abs(sum) <= kTolerance * std::max(level, kLeastLevel * count)) return 0.0;
+  const double independent = std::max(1.0, count / 3.0 / std::pow(2.0 * apron + 1.0, 2));
+  return mean / std::sqrt(std::max(variance, 1e-12 * mean * mean) / independent);
 }
 
 }  // namespace
@@ -114,7 +136,8 @@ Compared compare(const Image& image, const Image& truth, const RandomScene& rand
                  const Reference& reference) {
   Compared result;
   result.pixels = image.width * image.height;
-  const double level = levelOf(truth);
+  const bool isDepth = random.scene.integrator.is(integrators::depth);
+  const double level = levelOf(truth, isDepth ? std::numeric_limits<double>::min() : kLeastLevel);
   std::optional<Explainer> explainer;
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {

@@ -23,6 +23,10 @@ struct Compared {
 /// the bounds of the rest are large only where rounding shows.
 inline constexpr double kTolerance = 1e-3;
 
+/// Least median of radiance: lights are such that white surfaces have about 1. Light that comes
+/// from within a surface's own plane has a cosine that is rounding, and would be all that there is.
+inline constexpr double kLeastLevel = 1e-2;
+
 Compared compare(const Image& image, const Image& truth, const RandomScene& random,
                  const Reference& reference);
 

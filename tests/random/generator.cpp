@@ -8,6 +8,7 @@
 #include "random/lighting.h"
 #include "random/parts.h"
 #include "random/viewpoint.h"
+#include "scene/texture_forms.h"
 #include "scene/transform.h"
 
 namespace laver::test {
@@ -109,7 +110,6 @@ Mesh largePart(Draw& draw, std::string& traits) {
   }
 }
 
-/// A texture's fields are not so small that a film cannot show them.
 void giveMaterials(const Kind& kind, Scene& scene, Draw& draw) {
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     Bsdf& bsdf = scene.meshes[i].bsdf;
@@ -127,12 +127,14 @@ void giveMaterials(const Kind& kind, Scene& scene, Draw& draw) {
         bsdf.set(name, draw.between(0.7, 2.5));
     }
   }
-  if (kind.texture != nullptr)
-    scene.meshes[0].bsdf.show(
-        "albedo", {.row = kind.texture,
-                   .colors = {draw.color(), draw.color()},
-                   .scale = {draw.scale(0.5, 8.0), draw.chance(0.2) ? 0.0 : draw.scale(0.5, 8.0)},
-                   .offset = {draw.between(-3.0, 3.0), draw.between(-3.0, 3.0)}});
+  if (kind.texture == nullptr) return;
+  Texture texture{.row = kind.texture, .colors = {draw.color(), draw.color()}};
+  // (u, v) as a colour has neither scale nor offset in scenes, and would be negative.
+  if (kind.texture != &textures::uv) {
+    texture.scale = {draw.scale(0.5, 8.0), draw.chance(0.2) ? 0.0 : draw.scale(0.5, 8.0)};
+    texture.offset = {draw.between(-3.0, 3.0), draw.between(-3.0, 3.0)};
+  }
+  scene.meshes[0].bsdf.show("albedo", texture);
 }
 
 void addMeshes(const Kind& kind, Scene& scene, Draw& draw, std::string& traits) {

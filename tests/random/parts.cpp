@@ -112,7 +112,10 @@ Part degenerate(Draw& draw) {
 Part coincident(Draw& draw) {
   Part part{"coincident", {}};
   const dvec3 a = draw.point(), b = draw.point(), c = draw.point();
-  const dvec3 gap = draw.chance(0.5) ? dvec3(0.0) : draw.scale(1e-9, 1e-3) * draw.direction();
+  // Whether one shadows the other is a matter of rounding where a gap is narrower than the offset
+  // of shadow rays, some 8 * 2^-24 of coordinates (tests/stability/contact.cpp): no bound of
+  // host/lab/explain covers it.
+  const dvec3 gap = draw.chance(0.5) ? dvec3(0.0) : draw.scale(1e-4, 1e-2) * draw.direction();
   addTriangle(part.data, a, b, c);
   addTriangle(part.data, b, c, a);
   addTriangle(part.data, c, b, a);

@@ -31,8 +31,6 @@ std::string notFinite(const Image& image) {
   return {};
 }
 
-Verdict failed(std::string why) { return {.result = Failed, .why = std::move(why)}; }
-
 std::string problemOf(const Compared& c, const Kind& kind) {
   const std::string counts = fmt::format("{} of {} pixels differ, {} unexplained: {}", c.differing,
                                          c.pixels, c.unexplained, c.first);
@@ -76,31 +74,31 @@ Verdict Court::judge(const RandomScene& random) try {
   try {
     rendered = impl_->render(random, traversals.front());
   } catch (const Error& error) {
-    if (error.code() == ExitCode::Device) return {.result = Refused, .why = error.what()};
+    if (error.code() == ExitCode::Device) return {Refused, error.what()};
     throw;
   }
   if (rendered.droppedSamples != 0)
-    return failed(fmt::format("{} samples were dropped", rendered.droppedSamples));
+    return {Dropped, fmt::format("{} samples were dropped", rendered.droppedSamples)};
   if (const std::string problem = notFinite(rendered.image); !problem.empty())
-    return failed(problem);
+    return {NotFinite, problem};
   for (std::size_t i = 1; i < traversals.size(); ++i)
     if (const auto bits =
             differingFloats(rendered.image, impl_->render(random, traversals[i]).image);
         bits != 0)
-      return failed(fmt::format("{} values of {} have other bits", bits, traversals[i]));
+      return {OtherBits, fmt::format("{} values of {} have other bits", bits, traversals[i])};
   const Reference reference(random.scene);
   const Rendered truth = reference.render();
   if (const std::string problem = notFinite(truth.image); !problem.empty())
-    return failed("of the reference " + problem);
+    return {NotFinite, "of the reference " + problem};
   const Compared compared = compare(rendered.image, truth.image, random, reference);
   Verdict verdict;
   verdict.differing = static_cast<double>(compared.differing) / compared.pixels;
   verdict.unexplained = static_cast<double>(compared.unexplained) / compared.pixels;
   verdict.why = problemOf(compared, random.kind);
-  if (!verdict.why.empty()) verdict.result = Failed;
+  if (!verdict.why.empty()) verdict.result = Different;
   return verdict;
 } catch (const std::exception& fault) {
-  return failed(fault.what());
+  return {Threw, fault.what()};
 }
 
 }  // namespace laver::test

@@ -9,11 +9,21 @@ namespace laver::test {
 
 /// The comparison of a random scene's pictures by the device and by the reference.
 struct Verdict {
-  enum class Result { Passed, Refused, Failed };
+  enum class Result {
+    Passed,
+    Refused,    ///< an error of the exit code 4, which names a limit
+    Threw,      ///< any other error
+    Dropped,    ///< a sample was NaN, infinite or negative
+    NotFinite,  ///< so is a pixel
+    OtherBits,  ///< by another traversal
+    Different   ///< from the reference
+  };
   Result result = Result::Passed;
   std::string why{};       ///< a line; empty: passed
   double differing = 0;    ///< share of the pixels that differ
   double unexplained = 0;  ///< share of the pixels that the bounds of rounding do not explain
+
+  bool failed() const { return result != Result::Passed && result != Result::Refused; }
 };
 
 /// Renders scenes of one kind after another. Kernels are kept within a block of seeds.
