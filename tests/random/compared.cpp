@@ -57,6 +57,21 @@ Scene boundedBy(Scene scene) {
   return scene;
 }
 
+/// Primitives after it are numbered anew.
+void removePrimitive(Scene& scene, std::uint32_t number) {
+  for (auto mesh = scene.meshes.begin(); mesh != scene.meshes.end(); ++mesh) {
+    if (number >= mesh->primitives()) {
+      number -= static_cast<std::uint32_t>(mesh->primitives());
+      continue;
+    }
+    if (mesh->sphere)
+      scene.meshes.erase(mesh);
+    else
+      mesh->triangles.erase(mesh->triangles.begin() + number);
+    return;
+  }
+}
+
 /// Accounts for differences of pixels.
 class Explainer {
  public:
@@ -86,6 +101,7 @@ class Explainer {
     if (scene_.camera.row->lens) return false;  // the hit depends on the lens, too
     const auto hit = reference_.closest(film);
     if (!hit) return false;
+    if (contested(film, numbers, *hit, difference)) return true;
     const ValueBounds bounds = bounds_.at(film, *hit);
     const IntegratorRow& row = *scene_.integrator.row;
     const std::string name = row.name;
@@ -94,6 +110,25 @@ class Explainer {
     if (bounds.radiance >= difference) return true;
     // The normal of a sliver turns what is sampled or shaded with it.
     return row.needs.numbers && turned(film, numbers, bounds.normal, difference);
+  }
+
+  /// The hit may be on another surface at the same distance, as far as floats tell.
+  bool contested(dvec2 film, const reference::Numbers& numbers, const Reference::Hit& hit,
+                 double difference) const {
+    const double reach = 2.0 * bounds_.at(film, hit).depth * hit.distance;
+    const dvec3 own = reference_.radiance(film, numbers);
+    Scene without = scene_;
+    std::uint32_t number = hit.triangle;
+    for (int layers = 0; layers < 8; ++layers) {
+      removePrimitive(without, number);
+      const Reference reference(without, 1);
+      const auto next = reference.closest(film);
+      if (!next || next->distance - hit.distance > reach) return false;
+      const dvec3 d = glm::abs(reference.radiance(film, numbers) - own);
+      if (std::max({d.x, d.y, d.z}) > difference) return true;
+      number = next->triangle;
+    }
+    return false;
   }
 
   bool turned(dvec2 film, const reference::Numbers& numbers, double angle,

@@ -33,8 +33,8 @@ Mesh sphereMesh(dvec3 centre, double radius) {
   return mesh;
 }
 
-Mesh randomTriangles(Draw& draw, std::string& traits) {
-  Part part = randomPart(draw);
+Mesh randomTriangles(bool contested, Draw& draw, std::string& traits) {
+  Part part = randomPart(draw, contested);
   std::string name = part.name;
   if (draw.chance(0.3)) name += ", " + addNormals(part.data, draw);
   const double size = draw.chance(0.3) ? draw.scale(1e-4, 1.0) : draw.between(0.3, 1.0);
@@ -68,9 +68,9 @@ Mesh randomSphere(const std::vector<Mesh>& meshes, Draw& draw, std::string& trai
 }
 
 /// The same mesh again, or moved by its own extent, so that faces of a box coincide.
-Mesh copied(const Mesh& from, Draw& draw, std::string& traits) {
+Mesh copied(const Mesh& from, bool contested, Draw& draw, std::string& traits) {
   Mesh mesh = from;
-  if (draw.chance(0.5) || mesh.sphere || mesh.positions.empty()) {
+  if (!contested || draw.chance(0.5) || mesh.sphere || mesh.positions.empty()) {
     traits += "; the same again";
     return mesh;
   }
@@ -137,13 +137,14 @@ void giveMaterials(const Kind& kind, Scene& scene, Draw& draw) {
   scene.meshes[0].bsdf.show("albedo", texture);
 }
 
+/// For paths, nothing would account for surfaces that are contested at later hits.
 void addMeshes(const Kind& kind, Scene& scene, Draw& draw, std::string& traits) {
   const int count = draw.integer(3, 6);
   for (int i = 0; i < count; ++i) {
     const bool copies = i > 0 && draw.chance(0.15);
-    scene.meshes.push_back(copies             ? copied(scene.meshes.back(), draw, traits)
+    scene.meshes.push_back(copies ? copied(scene.meshes.back(), kind.explained(), draw, traits)
                            : draw.chance(0.3) ? randomSphere(scene.meshes, draw, traits)
-                                              : randomTriangles(draw, traits));
+                                              : randomTriangles(kind.explained(), draw, traits));
   }
   if (draw.chance(0.3)) scene.meshes.push_back(largePart(draw, traits));
   giveMaterials(kind, scene, draw);

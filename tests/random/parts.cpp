@@ -109,7 +109,7 @@ Part degenerate(Draw& draw) {
 }
 
 /// Equal triangles, some with corners in another order, and some a little apart.
-Part coincident(Draw& draw) {
+Part coincident(Draw& draw, bool contested) {
   Part part{"coincident", {}};
   const dvec3 a = draw.point(), b = draw.point(), c = draw.point();
   // Whether one shadows the other is a matter of rounding where a gap is narrower than the offset
@@ -121,16 +121,16 @@ Part coincident(Draw& draw) {
   addTriangle(part.data, c, b, a);
   addTriangle(part.data, a + gap, b + gap, c + gap);
   // In the same plane, overlapping by a half.
-  addTriangle(part.data, a, b, 0.5 * (a + c));
+  if (contested) addTriangle(part.data, a, b, 0.5 * (a + c));
   return part;
 }
 
 }  // namespace
 
-Part randomPart(Draw& draw) {
-  static constexpr std::array kMakers{box,     ballOf, grid,       fan,
-                                      slivers, soup,   degenerate, coincident};
-  return kMakers[draw.below(kMakers.size())](draw);
+Part randomPart(Draw& draw, bool contested) {
+  static constexpr std::array kMakers{box, ballOf, grid, fan, slivers, soup, degenerate};
+  const std::size_t maker = draw.below(kMakers.size() + 1);
+  return maker == kMakers.size() ? coincident(draw, contested) : kMakers[maker](draw);
 }
 
 std::string addNormals(obj::ObjData& data, Draw& draw) {

@@ -12,7 +12,9 @@ struct Part {
   obj::ObjData data;
 };
 
-Part randomPart(Draw& draw);
+/// `contested`: surfaces may lie in one plane without being equal. Rounding decides which of them
+/// is nearer.
+Part randomPart(Draw& draw, bool contested);
 
 /// Vertex normals of some kind: of a sphere, random, opposite within a triangle, or of no length.
 /// Returns its name.
