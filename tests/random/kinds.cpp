@@ -1,5 +1,8 @@
 #include "random/kinds.h"
 
+#include <algorithm>
+#include <numeric>
+
 #include "pictures/harness.h"
 #include "random/draw.h"
 #include "scene/texture_forms.h"
@@ -37,7 +40,8 @@ Kind kindOf(std::uint64_t seed) {
                                                 &textures::uv, &textures::constant};
   const std::vector<const EmitterRow*> skies{nullptr, &emitters::constant, nullptr,
                                              &emitters::distantdisk};
-  Kind result{.integrator = integratorRows()[kind % integratorRows().size()],
+  Kind result{.number = kind,
+              .integrator = integratorRows()[kind % integratorRows().size()],
               .sampler = samplerRows()[draw.below(samplerRows().size())],
               .filter = filterOfKind(kind / 16 + kind, draw),
               .bsdfs = {},
@@ -53,6 +57,15 @@ Kind kindOf(std::uint64_t seed) {
   if (result.texture != nullptr) result.bsdfs[0] = &bsdfs::diffuse;
   result.traversals = traversalsOf(result, draw);
   return result;
+}
+
+std::vector<std::uint64_t> seedsByKind(std::uint64_t from, std::uint64_t to) {
+  std::vector<std::uint64_t> seeds(to - from);
+  std::iota(seeds.begin(), seeds.end(), from);
+  std::stable_sort(seeds.begin(), seeds.end(), [](std::uint64_t a, std::uint64_t b) {
+    return a / kBlock % kKinds < b / kBlock % kKinds;
+  });
+  return seeds;
 }
 
 }  // namespace laver::test

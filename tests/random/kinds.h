@@ -10,6 +10,7 @@ namespace laver::test {
 /// What determines the kernels of a random scene. Kinds are few, since compiling costs more than
 /// rendering: kBlock consecutive seeds share one, and kKinds of them follow each other in a cycle.
 struct Kind {
+  std::uint64_t number;
   const IntegratorRow* integrator;
   const SamplerRow* sampler;
   Filter filter;
@@ -28,5 +29,8 @@ struct Kind {
 inline constexpr std::uint64_t kBlock = 20, kKinds = 96;
 
 Kind kindOf(std::uint64_t seed);
+
+/// The seeds of [from, to) in an order in which those of one kind follow each other.
+std::vector<std::uint64_t> seedsByKind(std::uint64_t from, std::uint64_t to);
 
 }  // namespace laver::test

@@ -4,7 +4,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <optional>
 #include <string>
 
 #include "random/shrink.h"
@@ -32,13 +31,11 @@ void print(std::uint64_t seed, const RandomScene& random, const Verdict& verdict
 }
 
 int renderSeeds(std::uint64_t from, std::uint64_t to, bool all) {
-  std::optional<Court> court;
+  Court court;
   std::uint64_t failures = 0, refused = 0;
-  for (std::uint64_t seed = from; seed < to; ++seed) {
-    // Kernels of other kinds are forgotten.
-    if (!court || seed % kBlock == 0) court.emplace();
+  for (const std::uint64_t seed : seedsByKind(from, to)) {
     const RandomScene random = randomScene(seed);
-    const Verdict verdict = court->judge(random);
+    const Verdict verdict = court.judge(random);
     failures += verdict.failed() ? 1 : 0;
     refused += verdict.result == Verdict::Result::Refused ? 1 : 0;
     if (all || verdict.result != Verdict::Result::Passed) print(seed, random, verdict);

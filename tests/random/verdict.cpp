@@ -44,6 +44,7 @@ std::string problemOf(const Compared& c, const Kind& kind) {
 }  // namespace
 
 struct Court::Impl {
+  std::uint64_t kind = 0;
   std::map<std::string, Renderer> renderers;
 
   Renderer& renderer(const Kind& wanted, const std::string& traversal);
@@ -69,6 +70,8 @@ Rendered Court::Impl::render(const RandomScene& random, const std::string& trave
 }
 
 Verdict Court::judge(const RandomScene& random) try {
+  if (impl_->kind != random.kind.number) impl_->renderers.clear();
+  impl_->kind = random.kind.number;
   const auto& traversals = random.kind.traversals;
   Rendered rendered;
   try {

@@ -26,7 +26,7 @@ struct Verdict {
   bool failed() const { return result != Result::Passed && result != Result::Refused; }
 };
 
-/// Renders scenes of one kind after another. Kernels are kept within a block of seeds.
+/// Renders scenes and compares them. Kernels are kept until a scene of another kind.
 class Court {
  public:
   Court();
