@@ -8,6 +8,8 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <tuple>
+#include <vector>
 
 #include "render/tiling.h"
 
@@ -57,19 +59,33 @@ Scene boundedBy(Scene scene) {
   return scene;
 }
 
-/// Primitives after it are numbered anew.
-void removePrimitive(Scene& scene, std::uint32_t number) {
-  for (auto mesh = scene.meshes.begin(); mesh != scene.meshes.end(); ++mesh) {
-    if (number >= mesh->primitives()) {
-      number -= static_cast<std::uint32_t>(mesh->primitives());
-      continue;
-    }
-    if (mesh->sphere)
-      scene.meshes.erase(mesh);
-    else
-      mesh->triangles.erase(mesh->triangles.begin() + number);
-    return;
+/// What a primitive covers: corners in some order, or of a sphere its centre and its box.
+using Shape = std::array<dvec3, 3>;
+
+Shape shapeOf(const Mesh& mesh, std::uint32_t number) {
+  if (mesh.sphere) {
+    const Sphere& s = *mesh.sphere;
+    return {s.centre, s.centre - s.radius, s.centre + s.radius};
   }
+  const glm::uvec3 t = mesh.triangles[number];
+  Shape corners{mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]};
+  std::ranges::sort(corners, [](const dvec3& p, const dvec3& q) {
+    return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+  });
+  return corners;
+}
+
+/// Returns its shape. Primitives after it are numbered anew.
+Shape removePrimitive(Scene& scene, std::uint32_t number) {
+  auto mesh = scene.meshes.begin();
+  for (; number >= mesh->primitives(); ++mesh)
+    number -= static_cast<std::uint32_t>(mesh->primitives());
+  const Shape shape = shapeOf(*mesh, number);
+  if (mesh->sphere)
+    scene.meshes.erase(mesh);
+  else
+    mesh->triangles.erase(mesh->triangles.begin() + number);
+  return shape;
 }
 
 /// Accounts for differences of pixels.
@@ -112,23 +128,27 @@ class Explainer {
     return row.needs.numbers && turned(film, numbers, bounds.normal, difference);
   }
 
-  /// The hit may be on another surface at the same distance, as far as floats tell.
+  /// The hit may be on another surface at the same distance, as far as floats tell. Of equal ones
+  /// the first counts, which floats tell exactly.
   bool contested(dvec2 film, const reference::Numbers& numbers, const Reference::Hit& hit,
                  double difference) const {
     const double reach = 2.0 * bounds_.at(film, hit).depth * hit.distance;
     const dvec3 own = reference_.radiance(film, numbers);
     Scene without = scene_;
+    std::vector<Shape> before;
     std::uint32_t number = hit.triangle;
-    for (int layers = 0; layers < 8; ++layers) {
-      removePrimitive(without, number);
+    while (true) {
+      const Shape shape = removePrimitive(without, number);
       const Reference reference(without, 1);
       const auto next = reference.closest(film);
-      if (!next || next->distance - hit.distance > reach) return false;
+      if (before.size() > 8 || !next || next->distance - hit.distance > reach) return false;
+      before.push_back(shape);
+      number = next->triangle;
+      Scene copy = without;
+      if (std::ranges::find(before, removePrimitive(copy, number)) != before.end()) continue;
       const dvec3 d = glm::abs(reference.radiance(film, numbers) - own);
       if (std::max({d.x, d.y, d.z}) > difference) return true;
-      number = next->triangle;
     }
-    return false;
   }
 
   bool turned(dvec2 film, const reference::Numbers& numbers, double angle,

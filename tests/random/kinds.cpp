@@ -49,7 +49,7 @@ Kind kindOf(std::uint64_t seed) {
               .sky = skies[draw.below(skies.size())],
               .lamp = draw.chance(0.6),
               .lens = draw.chance(0.15),
-              .general = kind % 5 != 0,
+              .general = kind % 10 != 5,
               .traversals = {}};
   // All BSDFs come with each kind of integrator.
   for (std::uint64_t i = 0; i < 3; ++i)

@@ -26,7 +26,7 @@ struct Kind {
   bool explained() const { return !integrator->bounces && !lens; }
 };
 
-inline constexpr std::uint64_t kBlock = 20, kKinds = 96;
+inline constexpr std::uint64_t kBlock = 50, kKinds = 96;
 
 Kind kindOf(std::uint64_t seed);
 
