@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <tuple>
@@ -88,6 +89,30 @@ Shape removePrimitive(Scene& scene, std::uint32_t number) {
   return shape;
 }
 
+/// The scene with its lights moved by what floats may do to a light beside a surface: the roundings
+/// of light and surface and the offset of the shadow ray (shared/point.h), along axis `way` / 2.
+Scene withLightsMoved(Scene scene, const Normalisation& space, int way) {
+  const auto moved = [&](dvec3 p) {
+    const double step = 16.0 * kUnitRoundoff * (glm::length(p - space.centre) + 4.0 / space.scale);
+    p[way / 2] += way % 2 == 0 ? step : -step;
+    return p;
+  };
+  for (PointLight& light : scene.lights) light.position = moved(light.position);
+  if (scene.integrator.row->looksOn)
+    scene.integrator.set("position", moved(scene.integrator.triple("position")));
+  return scene;
+}
+
+/// A scene and its reference.
+struct Variant {
+  explicit Variant(Scene changed) : scene(std::move(changed)), reference(scene, 1) {}
+  Variant(const Variant&) = delete;
+  Variant& operator=(const Variant&) = delete;
+
+  Scene scene;
+  Reference reference;
+};
+
 /// Accounts for differences of pixels.
 class Explainer {
  public:
@@ -96,7 +121,12 @@ class Explainer {
         reference_(reference),
         bounded_(boundedBy(random.scene)),
         judge_(scene_, reference),
-        bounds_(bounded_, judge_.rounding()) {}
+        bounds_(bounded_, judge_.rounding()) {
+    if (random.kind.explained() && (!scene_.lights.empty() || scene_.integrator.row->looksOn))
+      for (int way = 0; way < 6; ++way)
+        lightsMoved_.push_back(
+            std::make_unique<Variant>(withLightsMoved(scene_, judge_.rounding().space(), way)));
+  }
 
   /// Whether some sample that the pixel's filter reaches may differ by half as much.
   bool explains(int x, int y, double difference) const {
@@ -118,6 +148,11 @@ class Explainer {
     const auto hit = reference_.closest(film);
     if (!hit) return false;
     if (contested(film, numbers, *hit, difference)) return true;
+    const dvec3 own = reference_.radiance(film, numbers);
+    for (const auto& variant : lightsMoved_) {
+      const dvec3 d = glm::abs(variant->reference.radiance(film, numbers) - own);
+      if (std::max({d.x, d.y, d.z}) > difference) return true;
+    }
     const ValueBounds bounds = bounds_.at(film, *hit);
     const IntegratorRow& row = *scene_.integrator.row;
     const std::string name = row.name;
@@ -166,6 +201,7 @@ class Explainer {
   Scene bounded_;
   Judge judge_;
   BoundsOf bounds_;
+  std::vector<std::unique_ptr<Variant>> lightsMoved_;
 };
 
 /// Of the paired differences of pixels' means. A sample reaches (2 apron + 1)^2 pixels, of which
