@@ -90,12 +90,12 @@ Shape removePrimitive(Scene& scene, std::uint32_t number) {
 }
 
 /// The scene with its lights moved by what floats may do to a light beside a surface: the roundings
-/// of light and surface and the offset of the shadow ray (shared/point.h), along axis `way` / 2.
-Scene withLightsMoved(Scene scene, const Normalisation& space, int way) {
+/// of light and surface and the offset of the shadow ray (shared/point.h), in a direction of three
+/// digits -1, 0 or 1.
+Scene withLightsMoved(Scene scene, const Normalisation& space, dvec3 way) {
   const auto moved = [&](dvec3 p) {
     const double step = 16.0 * kUnitRoundoff * (glm::length(p - space.centre) + 4.0 / space.scale);
-    p[way / 2] += way % 2 == 0 ? step : -step;
-    return p;
+    return p + step * way;
   };
   for (PointLight& light : scene.lights) light.position = moved(light.position);
   if (scene.integrator.row->looksOn)
@@ -123,9 +123,9 @@ class Explainer {
         judge_(scene_, reference),
         bounds_(bounded_, judge_.rounding()) {
     if (random.kind.explained() && (!scene_.lights.empty() || scene_.integrator.row->looksOn))
-      for (int way = 0; way < 6; ++way)
-        lightsMoved_.push_back(
-            std::make_unique<Variant>(withLightsMoved(scene_, judge_.rounding().space(), way)));
+      for (int way = 0; way < 27; ++way)
+        lightsMoved_.push_back(std::make_unique<Variant>(withLightsMoved(
+            scene_, judge_.rounding().space(), dvec3(way % 3 - 1, way / 3 % 3 - 1, way / 9 - 1))));
   }
 
   /// Whether some sample that the pixel's filter reaches may differ by half as much.

@@ -106,8 +106,6 @@ dvec3 pointOn(const Mesh& mesh, Draw& draw) {
   if (mesh.sphere) return mesh.sphere->centre + mesh.sphere->radius * draw.direction();
   if (mesh.triangles.empty()) return dvec3(0.0);
   const glm::uvec3 t = mesh.triangles[draw.below(mesh.triangles.size())];
-  // A corner, or a point of the plane.
-  if (draw.chance(0.3)) return mesh.positions[t.x];
   const double u = draw.unit(), v = draw.unit() * (1.0 - u);
   return (1.0 - u - v) * mesh.positions[t.x] + u * mesh.positions[t.y] + v * mesh.positions[t.z];
 }

@@ -6,7 +6,8 @@
 
 namespace laver::test {
 
-/// A point of a mesh, or the origin of an empty one.
+/// A point of a mesh, or the origin of an empty one. No corner: a light there is blocked or not in
+/// cones as narrow as the triangles, which moved lights (compared.cpp) would miss.
 glm::dvec3 pointOn(const Mesh& mesh, Draw& draw);
 
 /// Lights in odd places, a background, a lamp, and what the integrator takes: of a strength that
