@@ -1,7 +1,9 @@
 // Random scenes by the device and by the reference: whatever differs is explained.
 #include <gtest/gtest.h>
 
+#include "random/shrink.h"
 #include "random/verdict.h"
+#include "support/temporary_folder.h"
 
 namespace laver::test {
 namespace {
@@ -21,6 +23,26 @@ void expectPassed(std::uint64_t from, std::uint64_t to, std::uint64_t kinds) {
   }
   testing::Test::RecordProperty("refused", static_cast<int>(refused));
   EXPECT_LE(refused, count / 20);
+}
+
+TEST(RandomScenesWritten, AreReadAsTheyWere) {
+  // One of each kind.
+  for (std::uint64_t seed = 0; seed < kBlock * kKinds; seed += kBlock) {
+    const Scene scene = randomScene(seed).scene;
+    const TemporaryFolder folder;
+    writeScene(scene, folder.path().string());
+    const Scene read = loadScene((folder.path() / "scene.xml").string()).scene;
+    EXPECT_EQ(read.integrator.row, scene.integrator.row);
+    EXPECT_EQ(read.camera.toWorld, scene.camera.toWorld);
+    EXPECT_EQ(read.lights.size(), scene.lights.size());
+    EXPECT_EQ(read.filter.radius, scene.filter.radius);
+    EXPECT_EQ(read.environment.has_value(), scene.environment.has_value());
+    ASSERT_EQ(read.meshes.size(), scene.meshes.size()) << seed;
+    for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+      EXPECT_EQ(read.meshes[i].primitives(), scene.meshes[i].primitives()) << seed << ' ' << i;
+      EXPECT_EQ(read.meshes[i].bsdf.row, scene.meshes[i].bsdf.row) << seed << ' ' << i;
+    }
+  }
 }
 
 class RandomScenes : public testing::TestWithParam<std::uint64_t> {};

@@ -55,20 +55,22 @@ std::string element(const char* tag, const char* type, const std::string& inside
 }
 
 std::string textureText(const std::string& name, const Texture& t) {
-  const std::string place = real("scalex", t.scale.x) + real("scaley", t.scale.y) +
-                            real("offsetx", t.offset.x) + real("offsety", t.offset.y) +
-                            tag("string", "name", name);
-  if (t.row == &textures::uv) return element("texture", "uvtexture", tag("string", "name", name));
+  const auto texture = [&](const char* type, const std::string& inside) {
+    return fmt::format("  <texture type=\"{}\" name=\"{}\">\n{}  </texture>\n", type, name, inside);
+  };
+  if (t.row == &textures::uv) return texture("uvtexture", "");
   if (t.row == &textures::constant)
-    return element("texture", "constant_color",
-                   tag("color", "value", triple(t.colors[0])) + tag("string", "name", name));
+    return texture("constant_color", tag("color", "value", triple(t.colors[0])));
   const std::string colors =
       tag("color", "color1", triple(t.colors[0])) + tag("color", "color2", triple(t.colors[1]));
-  if (t.row == &textures::checker) return element("texture", "checker", colors + place);
-  return element("texture", "proceduraltexture",
-                 colors + tag("vector", "scale", triple({1.0 / t.scale.x, 1.0 / t.scale.y, 0.0})) +
-                     tag("point", "delta", triple({-t.offset.x, -t.offset.y, 0.0})) +
-                     tag("string", "name", name));
+  if (t.row == &textures::checker)
+    return texture("checker", colors + real("scalex", t.scale.x) + real("scaley", t.scale.y) +
+                                  real("offsetx", t.offset.x) + real("offsety", t.offset.y));
+  // A scale of 0 in v, which stripes ignore, has no reciprocal.
+  const double v = t.scale.y == 0.0 ? 1.0 : 1.0 / t.scale.y;
+  return texture("proceduraltexture",
+                 colors + tag("vector", "scale", triple({1.0 / t.scale.x, v, 0.0})) +
+                     tag("point", "delta", triple({-t.offset.x, -t.offset.y, 0.0})));
 }
 
 std::string lightText(const PointLight& light) {
@@ -121,14 +123,14 @@ std::string meshText(const Mesh& mesh, const std::string& name) {
   return element("mesh", mesh.sphere ? "sphere" : "obj", inside);
 }
 
-std::string cameraText(const Camera& camera) {
+std::string cameraText(const Camera& camera, const std::string& filter) {
   std::string inside = matrix(camera.toWorld) + integer("width", camera.width) +
                        integer("height", camera.height) + real("fov", camera.fov) +
                        real("nearClip", camera.nearClip) + real("farClip", camera.farClip);
   if (camera.row->lens)
     inside +=
         real("aperture_radius", camera.lensRadius) + real("focus_distance", camera.focalDistance);
-  return element("camera", camera.row->name, inside);
+  return element("camera", camera.row->name, inside + filter);
 }
 
 std::string filterText(const Filter& filter) {
@@ -154,7 +156,7 @@ void writeScene(const Scene& scene, const std::string& folder) {
   text += element(
       "sampler", scene.sampler.row->name,
       integer("sampleCount", scene.sampler.sampleCount) + integer("seed", scene.sampler.seed));
-  text += cameraText(scene.camera) + filterText(scene.filter);
+  text += cameraText(scene.camera, filterText(scene.filter));
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     const std::string name = fmt::format("mesh{}.obj", i);
     if (!scene.meshes[i].sphere) writeObj(scene.meshes[i], folder + "/" + name);
