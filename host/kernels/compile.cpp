@@ -76,7 +76,7 @@ Spirv optimised(const Spirv& module, Effort effort) {
   optimizer.RegisterPassesFromFlags(kUnroll);
   if (effort == Effort::Thorough)
     optimizer.RegisterPerformancePasses();
-  else
+  else if (effort == Effort::Quick)
     optimizer.RegisterPassesFromFlags(kInline);
   Spirv result;
   spvtools::OptimizerOptions options;

@@ -10,9 +10,10 @@ using Spirv = std::vector<std::uint32_t>;
 
 /// How much time to spend on optimisation, which shortens compilation by the driver.
 enum class Effort {
-  None,     ///< not optimised: for tests
-  Quick,    ///< about 0.4 s: for kernels that a render waits for
-  Thorough  ///< about 2 s: for embedded kernels
+  None,      ///< not optimised: for tests
+  Unrolled,  ///< loops unrolled, functions kept: for tests
+  Quick,     ///< about 0.4 s: for kernels that a render waits for
+  Thorough   ///< about 2 s: for embedded kernels
 };
 
 /// Compiles a complete compute kernel. Throws Error(Scene) with one `file:line: error: ...` line

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include "core/error.h"
 #include "scene/node.h"
@@ -189,6 +191,9 @@ class TestReader {
 }  // namespace
 
 bool isTestFile(const std::string& file) {
+  // A pipe can be read only once.
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return false;
   pugi::xml_document document;
   if (!document.load_file(file.c_str())) return false;
   return std::string_view(document.document_element().name()) == "test";

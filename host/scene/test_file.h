@@ -29,7 +29,7 @@ struct TestFile {
   std::vector<std::string> warnings;
 };
 
-/// Whether a file can be read and its root is <test>.
+/// Whether a regular file has the root <test>.
 bool isTestFile(const std::string& file);
 
 /// Reads a test file and the files of its scenes. Throws Error(Scene) as loadScene() does.
