@@ -102,9 +102,10 @@ LAVER_STABILITY(Spirv, "SPIR-V: NoContraction, no min or max of NaN, no arithmet
       EXPECT_EQ(after->second.decorated, after->second.arithmetic) << name << ", " << function;
     }
     // Inlining repeats precise functions, so the decorated share grows. If a pass drops the
-    // decoration, the share falls to a half or a third (tried).
+    // decoration, the share falls to a half or a third (tried). Effort::Quick leaves repeated
+    // arithmetic that is not precise: 21 of 32 instead of 20 of 30 in the filter's table.
     const Spirv quick = compileGlsl(glsl, Effort::Quick);
-    EXPECT_GE(decoratedShare(countOf(disassembly(quick))), decoratedShare(counts)) << name;
+    EXPECT_GE(decoratedShare(countOf(disassembly(quick))), 0.9 * decoratedShare(counts)) << name;
     const Spirv thorough = compileGlsl(glsl, Effort::Thorough);
     EXPECT_GE(decoratedShare(countOf(disassembly(thorough))), decoratedShare(counts)) << name;
 
