@@ -59,7 +59,7 @@ class FullRandomScenes : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(FullRandomScenes, AreThoseOfTheReference) { expectPassed(0, 100000, GetParam()); }
 
-INSTANTIATE_TEST_SUITE_P(Kind, FullRandomScenes, testing::Range<std::uint64_t>(0, kKinds));
+INSTANTIATE_TEST_SUITE_P(FullKind, FullRandomScenes, testing::Range<std::uint64_t>(0, kKinds));
 
 }  // namespace
 }  // namespace laver::test
