@@ -7,9 +7,9 @@ root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 build=$root/build
 
 packages='
-  ca-certificates cmake fonts-dejavu-core g++ glmark2-data glslang-dev glslang-tools libboost-dev libcairo2-dev
-  libcli11-dev libdeflate-dev libembree-dev libfmt-dev libgl1-mesa-dri libglfw3-dev libglm-dev
-  libgtest-dev libimgui-dev libjpeg62-turbo-dev libopenexr-dev libpng-dev libpugixml-dev
+  ca-certificates cmake fonts-dejavu-core g++ glmark2-data glslang-dev glslang-tools libboost-dev
+  libcairo2-dev libcli11-dev libdeflate-dev libembree-dev libfmt-dev libgl1-mesa-dri libglfw3-dev
+  libglm-dev libgtest-dev libimgui-dev libjpeg62-turbo-dev libopenexr-dev libpng-dev libpugixml-dev
   libtinyobjloader-dev libvulkan-dev libvulkan-volk-dev libvulkan1 libx11-dev libxxhash-dev
   mesa-vulkan-drivers ninja-build nlohmann-json3-dev pkgconf spirv-tools vulkan-validationlayers
   xvfb'

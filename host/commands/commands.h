@@ -44,15 +44,11 @@ struct PlanCommand : SceneCommand {
   bool json = false;
 };
 
-/// FLIP is of all channels together, the others of each.
-inline constexpr const char* kMetrics[] = {"max",  "mean", "p50",    "p95",  "p99",
-                                           "p999", "rmse", "relmse", "flip", "ldrflip"};
-
 /// `laver compare A.exr B.exr`.
 struct CompareCommand {
   std::string a, b;
   std::optional<double> tolerance;  ///< exceeding it means ExitCode::Different
-  std::string metric = "max";       ///< that the tolerance bounds, one of kMetrics
+  std::string metric = "max";       ///< that the tolerance bounds
   std::optional<double> maxShare;   ///< of pixels beyond the tolerance, which then bounds pixels
   bool json = false;
   std::string out;  ///< folder for pictures of the difference; empty: none

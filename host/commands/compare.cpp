@@ -16,19 +16,11 @@
 namespace laver {
 namespace {
 
-double valueOf(const Distribution& d, const std::string& metric) {
-  if (metric == "mean" || metric == "flip" || metric == "ldrflip") return d.mean;
-  if (metric == "p50") return d.median;
-  if (metric == "p95") return d.percentile95;
-  if (metric == "p99") return d.percentile99;
-  if (metric == "p999") return d.percentile999;
-  return d.maximum;
-}
-
 double valueOf(const ChannelDifference& d, const std::string& metric) {
   if (metric == "rmse") return d.rmse;
   if (metric == "relmse") return d.relativeMse;
-  return valueOf(d.distances, metric);
+  const auto row = std::ranges::find(kStatistics, metric, &Statistic::name);
+  return d.distances.*row->value;
 }
 
 /// What was measured.
@@ -49,9 +41,10 @@ Compared measured(const CompareCommand& command, const Image& a, const Image& b)
 }
 
 nlohmann::ordered_json jsonOf(const Distribution& d) {
-  return {{"mean", d.mean},        {"p50", d.median},         {"p95", d.percentile95},
-          {"p99", d.percentile99}, {"p999", d.percentile999}, {"max", d.maximum},
-          {"share", d.share}};
+  nlohmann::ordered_json json;
+  for (const Statistic& statistic : kStatistics) json[statistic.name] = d.*statistic.value;
+  json["share"] = d.share;
+  return json;
 }
 
 /// JSON has no infinity: null.
@@ -80,19 +73,20 @@ std::string textOf(const CompareCommand& command, const Compared& all, bool with
     channel["rmse"] = d.rmse;
     channel["relmse"] = d.relativeMse;
   }
-  return json.dump(2) + '\n';
+  // File names need not be UTF-8.
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 
 /// Written so that NaN is beyond any tolerance.
 bool isWithin(const CompareCommand& command, const Compared& all) {
   const double tolerance = command.tolerance.value_or(0.0);
-  const auto holds = [&](const auto& d, const Distribution& distribution) {
-    return command.maxShare ? distribution.share <= *command.maxShare
-                            : valueOf(d, command.metric) <= tolerance;
+  const auto holds = [&](const Distribution& distribution, double value) {
+    return command.maxShare ? distribution.share <= *command.maxShare : value <= tolerance;
   };
-  if (all.flip) return holds(*all.flip, *all.flip);
-  return std::all_of(all.channels.begin(), all.channels.end(),
-                     [&](const auto& d) { return holds(d, d.distances); });
+  if (all.flip) return holds(*all.flip, all.flip->mean);
+  return std::ranges::all_of(all.channels, [&](const ChannelDifference& d) {
+    return holds(d.distances, valueOf(d, command.metric));
+  });
 }
 
 /// Writes FOLDER/difference.exr and .png, and creates the folder if needed. The latter shows

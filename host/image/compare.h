@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "image/image.h"
@@ -13,6 +14,17 @@ struct Distribution {
   double median = 0, percentile95 = 0, percentile99 = 0, percentile999 = 0, maximum = 0;
   double share = 0;  ///< of pixels whose number exceeds the tolerance
 };
+
+/// A number of a distribution that is named on the command line.
+struct Statistic {
+  std::string_view name;
+  double Distribution::*value;
+};
+inline constexpr Statistic kStatistics[] = {
+    {"max", &Distribution::maximum},      {"mean", &Distribution::mean},
+    {"p50", &Distribution::median},       {"p95", &Distribution::percentile95},
+    {"p99", &Distribution::percentile99}, {"p999", &Distribution::percentile999}};
+
 Distribution distributionOf(std::vector<double> numbers, double tolerance);
 
 /// The difference between two images in one channel, over all pixels.

@@ -30,7 +30,7 @@ struct BsdfSample {
   glm::dvec3 weight;
 };
 
-/// Luminance by ITU-R BT.709.
+/// Luminance by ITU-R BT.709, with the digits that Nori has.
 double luminance(glm::dvec3 color);
 
 /// Fresnel reflectance of unpolarised light at a dielectric (Born and Wolf, "Principles of Optics",

@@ -20,8 +20,8 @@ void checkAttributes(pugi::xml_node node, const std::vector<std::string_view>& k
 const char* requireAttribute(pugi::xml_node node, const char* name, const TextSource& source,
                              Diagnostics& diagnostics);
 
-/// Parses XML into `document` and returns its root, called `name`. Malformed XML, a missing, second or
-/// other root, text outside of tags and tags nested deeper than 64 are errors; then the node is
+/// Parses XML into `document` and returns its root, called `name`. Malformed XML, a missing, second
+/// or other root, text outside of tags and tags nested deeper than 64 are errors; then the node is
 /// empty.
 pugi::xml_node parseDocument(const TextSource& source, pugi::xml_document& document,
                              Diagnostics& diagnostics, std::string_view name = "scene");

@@ -13,7 +13,7 @@
 namespace laver {
 namespace {
 
-static_assert(sizeof(BsdfQuestion) == 32 && sizeof(BsdfAnswer) == 48);
+static_assert(sizeof(BsdfQuestion) == 48 && sizeof(BsdfAnswer) == 48);
 constexpr std::uint32_t kInput = shared::BINDINGS, kOutput = shared::BINDINGS + 1;
 
 /// A triangle for each BSDF, whose second and third weight are u and v. Its corners have the order
@@ -33,8 +33,7 @@ Scene sceneOf(const std::vector<Bsdf>& bsdfs) {
 std::vector<VkDescriptorType> typesOfBindings() {
   const auto production = bindingTypes();
   std::vector<VkDescriptorType> types(production.begin(), production.end());
-  types.push_back(VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER);
-  types.push_back(VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+  types.insert(types.end(), 2, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
   return types;
 }
 
@@ -88,27 +87,16 @@ BsdfSampler::~BsdfSampler() = default;
 
 std::vector<BsdfAnswer> BsdfSampler::answers(std::size_t which,
                                              std::span<const BsdfQuestion> questions) const {
-  return run(which, questions, false);
-}
-
-std::vector<BsdfAnswer> BsdfSampler::densities(std::size_t which,
-                                               std::span<const BsdfQuestion> questions) const {
-  return run(which, questions, true);
-}
-
-std::vector<BsdfAnswer> BsdfSampler::run(std::size_t which, std::span<const BsdfQuestion> questions,
-                                         bool given) const {
-  const Buffer input(impl_->device, "questions", Buffer::Use::Texels, questions.size_bytes());
+  const Buffer input(impl_->device, "questions", Buffer::Use::Storage, questions.size_bytes());
   input.upload(std::as_bytes(questions));
-  const auto view = input.texelView(VK_FORMAT_R32G32B32A32_SFLOAT);
-  impl_->bindings.bind(kInput, view.get());
+  impl_->bindings.bind(kInput, input);
   std::vector<BsdfAnswer> result(questions.size());
   const Buffer output(impl_->device, "answers", Buffer::Use::Storage,
                       result.size() * sizeof(BsdfAnswer));
   impl_->bindings.bind(kOutput, output);
   shared::Pass pass{};
-  pass.region = {static_cast<std::uint32_t>(questions.size()), static_cast<std::uint32_t>(which),
-                 given ? 1U : 0U, 0};
+  pass.region = {static_cast<std::uint32_t>(questions.size()), static_cast<std::uint32_t>(which), 0,
+                 0};
   impl_->device.run([&](VkCommandBuffer commands) {
     impl_->kernel.dispatch(commands, impl_->bindings, std::as_bytes(std::span(&pass, 1)),
                            {(pass.region.x + 63) / 64, 1, 1});

@@ -18,13 +18,9 @@ class BsdfSource {
 
   /// As those of BsdfSampler.
   std::vector<BsdfAnswer> answers(std::size_t which, std::span<const BsdfQuestion> questions) const;
-  std::vector<BsdfAnswer> densities(std::size_t which,
-                                    std::span<const BsdfQuestion> questions) const;
 
  private:
   struct OnDevice;
-  std::vector<BsdfAnswer> ask(std::size_t which, std::span<const BsdfQuestion> questions,
-                              bool given) const;
 
   const std::vector<Bsdf>& bsdfs_;
   unsigned threads_;

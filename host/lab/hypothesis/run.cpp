@@ -9,6 +9,7 @@
 
 #include "lab/hypothesis/bsdf_source.h"
 #include "lab/hypothesis/statistics.h"
+#include "reference/bsdf.h"
 #include "reference/emitter.h"
 #include "reference/pcg32.h"
 #include "reference/reference.h"
@@ -18,11 +19,6 @@ namespace laver {
 namespace {
 
 using Print = std::function<void(const std::string&)>;
-
-/// Luminance as Nori has it.
-double luminanceOf(double r, double g, double b) {
-  return 0.212671 * r + 0.715160 * g + 0.072169 * b;
-}
 
 /// Runs one file's tests, in order, with one sequence of random numbers.
 class Run {
@@ -85,7 +81,7 @@ class Run {
         std::size_t invalid = 0;
         for (const BsdfAnswer& a :
              source.answers(which, drawn({std::sin(angle), 0.0, std::cos(angle)}))) {
-          const double value = luminanceOf(a.weight.x, a.weight.y, a.weight.z);
+          const double value = reference::luminance(a.weight);
           if (std::isfinite(value))
             sample.add(value);
           else
@@ -117,7 +113,7 @@ class Run {
 
   /// Questions with numbers of their own.
   std::vector<BsdfQuestion> drawn(const glm::dvec3& wi) {
-    std::vector<BsdfQuestion> questions(file_.sampleCount);
+    std::vector<BsdfQuestion> questions(file_.sampleCount, BsdfQuestion{});
     for (BsdfQuestion& q : questions) {
       q.wi = glm::vec3(wi);
       q.first = random_.nextFloat();
@@ -171,9 +167,9 @@ class Run {
               2.0 * std::numbers::pi * (x + 0.5) / (static_cast<double>(columns) * side);
           const double r = std::sqrt(std::max(0.0, 1.0 - z * z));
           const glm::vec3 wo(glm::dvec3(r * std::cos(phi), r * std::sin(phi), z));
-          questions.push_back({glm::vec3(wi), wo.x, wo.y, {0.5F, 0.5F}, wo.z});
+          questions.push_back({.wi = glm::vec3(wi), .wo = wo, .uv = {0.5F, 0.5F}});
         }
-      const auto answers = source.densities(which, questions);
+      const auto answers = source.answers(which, questions);
       for (std::size_t i = 0; i < answers.size(); ++i)
         cells[std::size_t{row} * columns + i % (std::size_t{columns} * side) / side] +=
             double{answers[i].pdf} * area * file_.sampleCount;
@@ -193,7 +189,7 @@ class Run {
             light.row->sample(light, {0.0, 0.0, distance}, std::abs(distance)).radiance;
         Moments sample;
         for (std::uint32_t i = 0; i < file_.sampleCount; ++i)
-          sample.add(luminanceOf(arriving.x, arriving.y, arriving.z));
+          sample.add(reference::luminance(arriving));
         conclude(sample, file_.references[test++], "");
       }
   }
@@ -212,7 +208,8 @@ class Run {
       Moments sample;
       for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
-          sample.add(luminanceOf(image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)));
+          sample.add(
+              reference::luminance({image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)}));
       conclude(sample, file_.references[i], flawOf(rendered.droppedSamples));
     }
   }
