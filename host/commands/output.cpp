@@ -69,6 +69,7 @@ void checkNotOfScene(const std::filesystem::path& picture, const Scene& scene) {
   for (const Mesh& mesh : scene.meshes) {
     names.push_back(mesh.name);
     for (const NamedTexture& named : mesh.bsdf.textures) names.push_back(named.texture.filename);
+    if (mesh.light && mesh.light->texture) names.push_back(mesh.light->texture->filename);
   }
   for (const std::string& name : names) {
     std::error_code error;

@@ -87,12 +87,39 @@ void readRecord(const TraceKey& key, Text& text) {
   record.align();
   const auto show = [&](const std::string& member, const char* as) {
     const std::string word = record.word();
-    text.line("  if ({0} != TEXTURE_NONE) m.{1} = {2}(textureAt({0} - 1u, s));", word, member, as);
+    text.line("  if ({0} != TEXTURE_NONE) m.{1} = {2}(textureAt({0} - 1u, s.id, s.weights));", word,
+              member, as);
   };
   for (std::uint32_t i = 0; i < layout.colors; ++i)
     if (layout.texturedColors >> i & 1U) show(colorMember(i), "");
   for (std::uint32_t i = 0; i < layout.numbers; ++i)
     if (layout.texturedNumbers >> i & 1U) show(numberMember(i), "luminanceOf");
+}
+
+/// The normal for BSDFs: the surface's own, or that of its mesh's normal map, whose reference is
+/// the last texel of a record.
+void bsdfNormal(const TraceKey& key, Text& text) {
+  if (key.layout.normalMaps && !key.textures.empty()) text.include("texture/normal_map.glsl");
+  text.line("vec3 bsdfNormal(Surface s) {{");
+  if (key.layout.normalMaps && !key.textures.empty()) {
+    text.line("  const uint map = texelFetch(materialTexels, int(s.material * {0}u) + {1}).x;",
+              key.layout.texels(), key.layout.texels() - 1);
+    text.line("  if (map != TEXTURE_NONE) return mappedNormal(s, map - 1u);");
+  }
+  text.line("  return s.normal;");
+  text.line("}}");
+}
+
+/// The radiance that a mesh emits at a point of a primitive.
+void radianceOf(const TraceKey& key, Text& text) {
+  text.line("vec3 radianceOf(uint mesh, uint id, vec3 weights) {{");
+  text.line("  const vec3 radiance = texelVec3(texelFetch(emissionTexels, int(mesh) * 2));");
+  if (key.texturedLights) {
+    text.line("  const uint shown = texelFetch(emissionTexels, int(mesh) * 2 + 1).x;");
+    text.line("  if (shown != TEXTURE_NONE) return radiance * textureAt(shown - 1u, id, weights);");
+  }
+  text.line("  return radiance;");
+  text.line("}}");
 }
 
 void materialOf(const TraceKey& key, Text& text) {
@@ -130,7 +157,7 @@ void bsdf(const BsdfText& b, Text& text) {
 std::uint32_t MaterialLayout::texels() const {
   const auto references =
       static_cast<std::uint32_t>(std::popcount(texturedColors) + std::popcount(texturedNumbers));
-  return colors + (numbers + 3) / 4 + (references + 3) / 4;
+  return colors + (numbers + 3) / 4 + (references + 3) / 4 + (normalMaps ? 1U : 0U);
 }
 
 std::string materialText(const TraceKey& key) {
@@ -139,6 +166,8 @@ std::string materialText(const TraceKey& key) {
   materialStruct(key.layout, text);
   textures(key, text);
   materialOf(key, text);
+  bsdfNormal(key, text);
+  radianceOf(key, text);
   std::vector<std::string> names;
   for (const BsdfText& b : key.bsdfs) {
     bsdf(b, text);

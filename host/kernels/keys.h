@@ -39,6 +39,7 @@ struct BsdfText {
 struct MaterialLayout {
   std::uint32_t colors = 1, numbers = 0;                  ///< the most that a BSDF has
   std::uint32_t texturedColors = 0, texturedNumbers = 0;  ///< bit i: of the i-th one
+  bool normalMaps = false;  ///< the last texel of a record begins with such a reference
 
   std::uint32_t texels() const;
   bool operator==(const MaterialLayout&) const = default;
@@ -74,6 +75,7 @@ struct TraceKey {
   bool lockstep = false;         ///< the 8 lanes of a subgroup leave loops over bounces together
   bool bounces = false;          ///< rays may start on surfaces
   bool emission = false;         ///< some mesh emits light
+  bool texturedLights = false;   ///< textures stand for radiances
   bool byteImages = false,
        floatImages = false;                ///< formats of the images of textures and background
   bool adaptive = false;                   ///< sample counts vary by cell

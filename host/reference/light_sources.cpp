@@ -7,6 +7,7 @@
 #include "image/sky_grid.h"
 #include "reference/emitter.h"
 #include "reference/openness.h"
+#include "reference/texture.h"
 
 namespace laver::reference {
 
@@ -27,8 +28,10 @@ double powerOf(const PointLight& light, double radius) {
 }  // namespace
 
 glm::dvec3 emitted(const Surface& surface, const glm::dvec3& direction) {
-  const bool seen = surface.mesh->light && glm::dot(surface.shading, direction) > 0.0;
-  return seen ? surface.mesh->light->radiance : glm::dvec3(0.0);
+  const std::optional<AreaLight>& light = surface.mesh->light;
+  if (!light || glm::dot(surface.shading, direction) <= 0.0) return glm::dvec3(0.0);
+  return light->texture ? light->scale * colorOf(*light->texture, surface.textureUv)
+                        : light->radiance;
 }
 
 LightSources::LightSources(const Scene& scene, const World& world)

@@ -5,8 +5,13 @@
 
 namespace laver::reference {
 
+struct Surface;
+
 /// What a texture shows at texture coordinates.
 glm::dvec3 colorOf(const Texture& texture, glm::dvec2 uv);
+
+/// The shading normal as BSDFs see it: bent by the material's normal map, if it has one.
+glm::dvec3 bsdfNormal(const Surface& surface);
 
 /// The first colour of a material at texture coordinates; white where it has none.
 glm::dvec3 albedoAt(const Bsdf& bsdf, glm::dvec2 uv);

@@ -38,6 +38,20 @@ bool finite(const LongVec& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+/// The gradient's direction: where u grows and v does not. Texture coordinates on a line have none;
+/// 2^-20 is their own rounding in files of six digits.
+glm::dvec3 alongU(const Mesh& mesh, const glm::uvec3& t) {
+  const glm::dvec3 e1 = mesh.positions[t.y] - mesh.positions[t.x];
+  const glm::dvec3 e2 = mesh.positions[t.z] - mesh.positions[t.x];
+  if (mesh.uvs.empty()) return e1;
+  const glm::dmat2 uv(mesh.uvs[t.y] - mesh.uvs[t.x], mesh.uvs[t.z] - mesh.uvs[t.x]);
+  const double determinant = glm::determinant(uv);
+  if (std::abs(determinant) <=
+      0x1p-20 * (std::abs(uv[0].x * uv[1].y) + std::abs(uv[0].y * uv[1].x)))
+    return glm::dvec3(0.0);
+  return (uv[1].y * e1 - uv[0].y * e2) / determinant;
+}
+
 }  // namespace
 
 World::World(const Scene& scene, unsigned threads)
@@ -123,6 +137,7 @@ Surface World::surface(const WorldHit& hit) const {
   surface.uv = uvOf(hit.normal);
   surface.mesh = &scene_->meshes[sphere.mesh];
   surface.textureUv = surface.uv;
+  surface.tangent = glm::cross(glm::cross(hit.normal, glm::dvec3(0.0, 0.0, -1.0)), hit.normal);
   // As below: half an ulp per term and component, and again for the offset position.
   surface.offset =
       8 * 0x1p-53 * glm::dot(glm::abs(surface.geometric), glm::abs(sphere.centre) + sphere.radius);
@@ -170,6 +185,7 @@ Surface World::surface(const TreeHit& hit) const {
     for (int i = 0; i < 3; ++i) uv += given[static_cast<std::size_t>(i)] * mesh.uvs[indices[i]];
   }
   surface.textureUv = uv;
+  surface.tangent = alongU(mesh, indices);
   surface.mesh = &mesh;
   // Bound of the distance between position and plane: half an ulp per component, and again for the
   // offset position, is below 2 * 2^-53 * sum |n_i| size_i; 8 covers neighbours whose corners were

@@ -20,6 +20,9 @@ struct Surface {
   const Mesh* mesh;      ///< of the primitive
   double offset;         ///< bound of the rounding of `position` along the normal
   glm::dvec2 uv;         ///< of a sphere, or interpolated from vertices; 0 without coordinates
+  /// Of normal maps: along u of textureUv, on a sphere along the meridian from +z; any length, 0 if
+  /// there is none.
+  glm::dvec3 tangent{0.0};
 };
 
 /// The nearest hit of a ray: a triangle, or else a sphere.

@@ -76,8 +76,11 @@ void keyOfShading(const Scene& scene, const IntegratorRow& row, bool surfaces, T
   key.materials = materialsDiffer(scene) || (key.emission && scene.meshes.size() > 1);
   key.bsdfRecords = needsBsdfRecords(key);
   key.textures = texturesOf(scene);
-  for (const Mesh& mesh : scene.meshes)
-    for (const NamedTexture& named : mesh.bsdf.textures) noteImage(named.texture.image, key);
+  for (const Mesh& mesh : scene.meshes) {
+    for (const Texture* texture : texturesOf(mesh)) noteImage(texture->image, key);
+    key.texturedLights |=
+        key.emission && mesh.light && mesh.light->texture && shows(*mesh.light->texture);
+  }
 }
 
 std::string number(double x) {

@@ -23,6 +23,7 @@ namespace {
 MaterialLayout allTextured(MaterialLayout layout) {
   layout.texturedColors = (1U << layout.colors) - 1;
   layout.texturedNumbers = (1U << layout.numbers) - 1;
+  layout.normalMaps = true;
   return layout;
 }
 
@@ -39,6 +40,7 @@ void generaliseKey(TraceKey& key, const std::string& part, bool stream) {
     key.textures = allTextureNames();
     key.layout = allTextured(key.layout);
     key.bsdfRecords = true;
+    key.texturedLights = key.emission;
   }
   if (part == "images") key.byteImages = key.floatImages = true;
   if (part == "background") key.background = "environment";

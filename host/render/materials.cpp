@@ -57,8 +57,7 @@ std::vector<BsdfText> bsdfsOf(const Scene& scene) {
 std::vector<std::string> texturesOf(const Scene& scene) {
   std::vector<std::string> names;
   for (const Mesh& mesh : scene.meshes)
-    for (const NamedTexture& named : mesh.bsdf.textures)
-      if (shows(named.texture)) names.emplace_back(named.texture.row->name);
+    for (const Texture* texture : texturesOf(mesh)) names.emplace_back(texture->row->name);
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;
@@ -81,16 +80,24 @@ MaterialLayout layoutOf(const Scene& scene) {
     layout.numbers = std::max(layout.numbers, count(PropertyType::Float));
     layout.texturedColors |= texturedOf(mesh.bsdf, PropertyType::Color);
     layout.texturedNumbers |= texturedOf(mesh.bsdf, PropertyType::Float);
+    const Texture* map = mesh.bsdf.texture(kNormalMap);
+    layout.normalMaps |= map != nullptr && shows(*map);
   }
   return layout;
 }
 
 bool shows(const Texture& texture) { return !texture.row->picture || texture.image; }
 
-bool hasTextures(const Mesh& mesh) {
-  return std::any_of(mesh.bsdf.textures.begin(), mesh.bsdf.textures.end(),
-                     [](const NamedTexture& named) { return shows(named.texture); });
+std::vector<const Texture*> texturesOf(const Mesh& mesh) {
+  std::vector<const Texture*> textures;
+  for (const NamedTexture& named : mesh.bsdf.textures)
+    if (shows(named.texture)) textures.push_back(&named.texture);
+  if (mesh.light && mesh.light->texture && shows(*mesh.light->texture))
+    textures.push_back(mesh.light->texture.get());
+  return textures;
 }
+
+bool hasTextures(const Mesh& mesh) { return !texturesOf(mesh).empty(); }
 
 bool alike(const Mesh& a, const Mesh& b) {
   return a.bsdf.row == b.bsdf.row && colorsOf(a.bsdf) == colorsOf(b.bsdf) &&
@@ -130,6 +137,11 @@ std::vector<std::uint32_t> recordOf(const Bsdf& bsdf, const MaterialLayout& layo
   refer(PropertyType::Color, layout.texturedColors);
   refer(PropertyType::Float, layout.texturedNumbers);
   alignToTexel(words);
+  if (layout.normalMaps) {
+    const Texture* map = bsdf.texture(kNormalMap);
+    words.push_back(map != nullptr && shows(*map) ? placeOf(*map) + 1 : shared::TEXTURE_NONE);
+    alignToTexel(words);
+  }
   return words;
 }
 

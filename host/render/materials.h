@@ -19,7 +19,9 @@ MaterialLayout layoutOf(const Scene& scene);
 
 /// Whether a texture shows more than a colour: an image that was not read shows none.
 bool shows(const Texture& texture);
-/// Whether some texture of a mesh does.
+/// The textures of a mesh's BSDF and light that do.
+std::vector<const Texture*> texturesOf(const Mesh& mesh);
+/// Whether there are any.
 bool hasTextures(const Mesh& mesh);
 
 /// Whether two meshes' records are the same, their textures aside.

@@ -1,9 +1,12 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
 #include <tuple>
 
+#include "core/error.h"
 #include "render/materials.h"
 #include "render/pack_parts.h"
 #include "render/pack_textures.h"
@@ -49,7 +52,24 @@ class MeshPacker {
                    [&](const Texture& texture) { return textures_.addRecord(texture); });
       packed_.materials.insert(packed_.materials.end(), record.begin(), record.end());
     }
+    if (uploads_.emission) packed_.emission.push_back(emissionOf(mesh));
     return meshes_++;
+  }
+
+  /// Without its radiance.
+  shared::Emission emissionOf(const Mesh& mesh) {
+    const Texture* texture = mesh.light ? mesh.light->texture.get() : nullptr;
+    shared::Emission emission{};
+    emission.shown = shared::TEXTURE_NONE;
+    if (texture == nullptr || !shows(*texture)) return emission;
+    if (packed_.isSplit(meshes_))
+      throw Error(
+          ExitCode::Device,
+          fmt::format("a texture on the radiance of \"{}\", which is cut at its distance from the "
+                      "centre of the scene: the radiance of such a mesh can be a colour only",
+                      mesh.name));
+    emission.shown = textures_.addRecord(*texture) + 1;
+    return emission;
   }
 
   void addSphere(const Mesh& mesh) {

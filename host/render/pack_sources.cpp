@@ -137,10 +137,15 @@ void packSources(const Scene& scene, Packed& packed) {
 
   double total = 0.0;
   for (const Weighed& weighed : all) total += weighed.power;
-  for (const Mesh& mesh : scene.meshes) {
-    const dvec3 radiance = mesh.light ? mesh.light->radiance : dvec3(0.0);
+  packed.emission.resize(scene.meshes.size());
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    const auto& light = scene.meshes[i].light;
+    const dvec3 radiance = light ? light->radiance : dvec3(0.0);
     const double density = total > 0.0 ? std::numbers::pi * luminance(radiance) / total : 0.0;
-    packed.emission.push_back({vec3(radiance), static_cast<float>(density)});
+    shared::Emission& emission = packed.emission[i];
+    const bool textured = emission.shown != shared::TEXTURE_NONE;
+    emission.radiance = textured ? vec3(static_cast<float>(light->scale)) : vec3(radiance);
+    emission.density = static_cast<float>(density);
   }
   // Sources without power are never drawn.
   std::erase_if(all, [](const Weighed& weighed) { return !(weighed.power > 0.0); });

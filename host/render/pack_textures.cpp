@@ -15,10 +15,9 @@ namespace {
 /// of the mesh repeat and have one scale. Otherwise 0.
 glm::dvec2 wholePeriods(const Mesh& mesh, glm::dvec2 uv) {
   const Texture* first = nullptr;
-  for (const NamedTexture& named : mesh.bsdf.textures) {
-    if (!shows(named.texture)) continue;
-    if (first == nullptr) first = &named.texture;
-    if (!named.texture.row->repeats || named.texture.scale != first->scale) return glm::dvec2(0.0);
+  for (const Texture* texture : texturesOf(mesh)) {
+    if (first == nullptr) first = texture;
+    if (!texture->row->repeats || texture->scale != first->scale) return glm::dvec2(0.0);
   }
   glm::dvec2 whole(0.0);
   for (int axis = 0; first != nullptr && axis < 2; ++axis) {

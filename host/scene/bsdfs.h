@@ -67,6 +67,9 @@ struct UserBsdf {
 /// Reads a file; null if it cannot be read.
 std::shared_ptr<UserBsdf> userBsdf(const std::string& file);
 
+/// Stands for no property but bends the shading normal, as a normal map.
+inline constexpr const char* kNormalMap = "normal map";
+
 /// A texture that stands for a property.
 struct NamedTexture {
   std::string property;

@@ -87,6 +87,9 @@ std::string describeBsdf(const Bsdf& bsdf) {
     properties += fmt::format("{}        {} = {}", properties.empty() ? "\n" : ",\n", property.name,
                               describeProperty(bsdf, property));
   }
+  if (const Texture* map = bsdf.texture(kNormalMap))
+    properties += fmt::format("{}        normal = {}", properties.empty() ? "\n" : ",\n",
+                              describeTexture(*map));
   return fmt::format("{}[{}{}]", bsdf.row->object, properties,
                      properties.empty() ? "" : "\n      ");
 }
@@ -99,6 +102,11 @@ std::string describeEnvironment(const std::optional<Environment>& environment) {
                      rows(environment->toWorld, key.size()));
 }
 
+std::string describeRadiance(const AreaLight& light) {
+  if (!light.texture) return triple(light.radiance);
+  return fmt::format("{:g} * {}", light.scale, describeTexture(*light.texture));
+}
+
 std::string describeMesh(const Mesh& mesh) {
   const std::string shape =
       mesh.sphere ? fmt::format("center = {},\n      radius = {:g}", triple(mesh.sphere->centre),
@@ -106,7 +114,7 @@ std::string describeMesh(const Mesh& mesh) {
                   : fmt::format("name = \"{}\",\n      vertexCount = {},\n      triangleCount = {}",
                                 mesh.name, mesh.positions.size(), mesh.triangles.size());
   const std::string light = mesh.light ? fmt::format("{}[radiance = {}]", emitters::area.object,
-                                                     triple(mesh.light->radiance))
+                                                     describeRadiance(*mesh.light))
                                        : "null";
   return fmt::format("    {}[\n      {},\n      bsdf = {},\n      emitter = {}\n    ]",
                      mesh.row().object, shape, describeBsdf(mesh.bsdf), light);

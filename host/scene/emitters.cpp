@@ -61,7 +61,8 @@ void buildArea(const Properties& given, std::string_view parent, Draft& draft) {
     given.error("radiance", fmt::format("{} stands in <{}>, expected it in <mesh>",
                                         nameOf(given.rule()), parent));
   } else if (!draft.meshes.empty()) {
-    draft.meshes.back().light = {given.triple("radiance") * given.real("scale")};
+    const double scale = given.real("scale");
+    draft.meshes.back().light = {given.triple("radiance") * scale, scale};
     draft.meshes.back().lightOffset = given.offset();
   }
 }

@@ -7,6 +7,7 @@
 #include "image/picture.h"
 #include "scene/form.h"
 #include "scene/rows.h"
+#include "scene/textures.h"
 
 namespace laver {
 
@@ -68,7 +69,10 @@ struct PointLight {
 
 /// Light that a mesh emits, on the side of its shading normal.
 struct AreaLight {
-  glm::dvec3 radiance{1.0};
+  glm::dvec3 radiance{1.0};  ///< mean radiance, by which light is sampled
+  double scale = 1.0;        ///< factor of the texture
+  /// Stands for the radiance.
+  std::shared_ptr<Texture> texture{};
 };
 
 /// What rays that hit nothing see. Of an image, in the space that toWorld takes to the world, the

@@ -194,11 +194,14 @@ void Reader::missing(pugi::xml_node node, Need need, const std::string& message)
   }
 }
 
-// A texture replaces a colour or a float of the BSDF around it.
+// A texture replaces a colour or a float of the BSDF around it, or the radiance of an area light,
+// or it is a normal map.
 bool Reader::checkTexture(pugi::xml_node node, const ObjectRule& parent) {
-  if (parent.tag != std::string_view("bsdf")) {
+  draft_.texturedLight = parent.type == std::string_view(emitters::area.name);
+  if (parent.tag != std::string_view("bsdf") && !draft_.texturedLight) {
     missing(node, Need::Shading,
-            fmt::format("<texture> is in {}, expected in <bsdf>", nameOf(parent)));
+            fmt::format("<texture> is in {}, expected in <bsdf> or <emitter type=\"{}\">",
+                        nameOf(parent), emitters::area.name));
     return false;
   }
   const std::string_view name = node.attribute("name").value();
@@ -207,9 +210,15 @@ bool Reader::checkTexture(pugi::xml_node node, const ObjectRule& parent) {
   std::vector<std::string_view> names;
   std::string_view property;
   for (const PropertyRow& row : parent.properties) {
-    if (row.type != PropertyType::Color && row.type != PropertyType::Float) continue;
+    if (row.type != PropertyType::Color &&
+        (row.type != PropertyType::Float || draft_.texturedLight))
+      continue;
     names.emplace_back(row.name);
     if (row.isCalled(name) || (property.empty() && row.isCalled(stem))) property = row.name;
+  }
+  if (!draft_.texturedLight) {
+    if (property.empty() && (name == "normal" || name == "normalmap")) property = kNormalMap;
+    names.emplace_back("normal");
   }
   if (property.empty()) {
     missing(node, Need::Shading,

@@ -24,8 +24,9 @@ struct MeshDraft {
   std::map<std::string, std::size_t> textureOffsets;  ///< of textures' tags, by property
   std::optional<Sphere> sphere;                       ///< then there is no file
   std::optional<AreaLight> light{};
-  std::size_t lightOffset = 0;  ///< of the emitter's tag
-  bool isSky = false;           ///< a background takes its place
+  std::size_t lightOffset = 0;     ///< of the emitter's tag
+  std::size_t radianceOffset = 0;  ///< of the tag of its texture
+  bool isSky = false;              ///< a background takes its place
 };
 
 /// A scene that is being read.
@@ -38,7 +39,8 @@ struct Draft {
   std::size_t filterOffset = 0;        ///< of its tag
   std::map<std::string, std::shared_ptr<UserBsdf>> userBsdfs{};  ///< by file
   bool integratorKnown = false;                                  ///< laver has it
-  std::string textured{};  ///< the property that the texture being read stands for
+  std::string textured{};      ///< the property that the texture being read stands for
+  bool texturedLight = false;  ///< it is one of the last mesh's light
 };
 
 /// An object that laver supports: its properties, and the function that adds it to the scene.

@@ -73,6 +73,10 @@ void loadTextures(const TextSource& source, Draft& draft, Diagnostics& diagnosti
     for (auto& [property, texture] : mesh.bsdf.textures)
       if (texture.row->picture)
         files.add(texture.filename, texture.raw, mesh.textureOffsets.at(property), texture.image);
+    if (mesh.light && mesh.light->texture && mesh.light->texture->row->picture) {
+      Texture& shown = *mesh.light->texture;
+      files.add(shown.filename, shown.raw, mesh.radianceOffset, shown.image);
+    }
   }
   if (auto& sky = draft.scene.environment) {
     if (!sky->filename.empty())
@@ -84,6 +88,10 @@ void loadTextures(const TextSource& source, Draft& draft, Diagnostics& diagnosti
                                       draft.scene.integrator.row->name));
   }
   files.read();
+  for (MeshDraft& mesh : draft.meshes)
+    if (mesh.light && mesh.light->texture)
+      mesh.light->radiance =
+          mesh.light->scale * mesh.light->texture->row->mean(*mesh.light->texture);
   if (auto& sky = draft.scene.environment;
       sky && sky->encoded && sky->image && sky->filename.ends_with(".exr"))
     sky->radiance /= 255.0;
@@ -93,8 +101,13 @@ void warnOfMissingUvs(const Draft& draft, Diagnostics& diagnostics) {
   if (!needsShading(draft)) return;
   for (std::size_t i = 0; i < draft.scene.meshes.size(); ++i) {
     const Mesh& mesh = draft.scene.meshes[i];
-    if (mesh.bsdf.textures.empty() || !mesh.uvs.empty() || mesh.triangles.empty()) continue;
-    diagnostics.warning(draft.meshes[i].textureOffsets.at(mesh.bsdf.textures.front().property),
+    const bool onLight = mesh.light && mesh.light->texture;
+    if (!mesh.uvs.empty() || mesh.triangles.empty()) continue;
+    if (mesh.bsdf.textures.empty() && !onLight) continue;
+    const MeshDraft& from = draft.meshes[i];
+    diagnostics.warning(mesh.bsdf.textures.empty()
+                            ? from.radianceOffset
+                            : from.textureOffsets.at(mesh.bsdf.textures.front().property),
                         fmt::format("{} has no texture coordinates: each of its triangles shows "
                                     "the texture from (0, 0) over (1, 0) to (0, 1)",
                                     inQuotes(mesh.name)));

@@ -9,7 +9,7 @@
 namespace laver {
 
 namespace textures {
-extern const TextureRow constant, stripes, uv, nearest;
+extern const TextureRow constant, stripes, noise, uv, nearest;
 }  // namespace textures
 
 namespace xml {
@@ -19,7 +19,8 @@ std::vector<PropertyRow> placed(std::vector<PropertyRow> rows);
 /// Sets the place by these properties.
 Texture placed(Texture texture, const Properties& given);
 
-/// Gives the texture to the property of the last mesh's material that draft.textured names.
+/// Gives the texture to the property of the last mesh's material or light that draft.textured
+/// names. A normal map's pictures are linear.
 void addTexture(const Properties& given, Texture texture, Draft& draft);
 
 /// Properties of two numbers.

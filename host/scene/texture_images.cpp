@@ -99,6 +99,23 @@ void buildNearest(const Properties& given, std::string_view, Draft& draft) {
   addTexture(given, *texture, draft);
 }
 
+void buildNormalImage(const Properties& given, std::string_view, Draft& draft) {
+  std::optional<Texture> texture = imageOf(given, "filename", draft);
+  if (!texture) return;
+  texture->raw = true;
+  texture->scale = inverseScale(given);
+  addTexture(given, *texture, draft);
+}
+
+void buildNormalMap(const Properties& given, std::string_view, Draft& draft) {
+  std::optional<Texture> texture = imageOf(given, "filename", draft);
+  if (!texture) return;
+  texture->raw = true;
+  texture->scale = pairIn(given, "scale");
+  texture->offset = pairIn(given, "shift");
+  addTexture(given, *texture, draft);
+}
+
 void buildPng(const Properties& given, std::string_view, Draft& draft) {
   std::optional<Texture> texture = imageOf(given, "filename", draft);
   if (!texture) return;
@@ -131,6 +148,20 @@ Form floatImage() {
       .build = buildFloatImage};
 }
 
+Form normalImage() {
+  return {
+      .type = "image_normal",
+      .properties = {file("filename"), pairOf("scale", Vector, 1.0, "u and v are divided by it")},
+      .build = buildNormalImage};
+}
+
+Form normalMap() {
+  return {.type = "normal_map",
+          .properties = {file("filename"), pairOf("scale", Vector, 1.0, "factor of u and v"),
+                         pairOf("shift", Point, 0.0, "added to the scaled u and v")},
+          .build = buildNormalMap};
+}
+
 Form pngTexture() {
   return {.type = "png_texture",
           .properties = {file("filename"),
@@ -140,6 +171,29 @@ Form pngTexture() {
                          real("offsetU", 0.0, "added to the scaled u"),
                          real("offsetV", 0.0, "added to the scaled v")},
           .build = buildPng};
+}
+
+double linearOf(const Texture& texture, std::uint8_t byte) {
+  return texture.raw ? byte / 255.0 : linearOfSrgb(byte / 255.0);
+}
+
+glm::dvec3 meanOfPicture(const Texture& texture) {
+  if (!texture.image) return texture.colors[0];
+  glm::dvec3 sum(0.0);
+  double count = 0.0;
+  const auto add = [&](const glm::dvec3& pixel) {
+    sum += texture.red ? glm::dvec3(pixel.r) : pixel;
+    count += 1.0;
+  };
+  if (const auto* bitmap = std::get_if<Bitmap>(texture.image.get())) {
+    for (const Rgb8& p : bitmap->pixels)
+      add({linearOf(texture, p[0]), linearOf(texture, p[1]), linearOf(texture, p[2])});
+  } else {
+    const auto& values = std::get<Image>(*texture.image).pixels;
+    for (std::size_t i = 0; i < values.size(); i += 3)
+      add({double{values[i]}, double{values[i + 1]}, double{values[i + 2]}});
+  }
+  return texture.colors[0] * sum / count;
 }
 
 std::string describeImage(const Texture& texture) {
@@ -152,14 +206,16 @@ std::string describeImage(const Texture& texture) {
 
 namespace textures {
 
-const TextureRow bitmap{.name = "bitmap",
-                        .object = "Texture",
-                        .forms = {xml::bitmapForm("textmap"), xml::imageTexture(),
-                                  xml::bitmapForm("bitmap"), xml::floatImage(), xml::pngTexture()},
-                        .picture = true,
-                        .repeats = true,
-                        .color = reference::bitmap,
-                        .describe = xml::describeImage};
+const TextureRow bitmap{
+    .name = "bitmap",
+    .object = "Texture",
+    .forms = {xml::bitmapForm("textmap"), xml::imageTexture(), xml::bitmapForm("bitmap"),
+              xml::floatImage(), xml::pngTexture(), xml::normalImage(), xml::normalMap()},
+    .picture = true,
+    .repeats = true,
+    .color = reference::bitmap,
+    .mean = xml::meanOfPicture,
+    .describe = xml::describeImage};
 
 const TextureRow nearest{
     .name = "nearest",
@@ -171,6 +227,7 @@ const TextureRow nearest{
     .picture = true,
     .repeats = true,
     .color = reference::nearest,
+    .mean = xml::meanOfPicture,
     .describe = xml::describeImage};
 
 }  // namespace textures

@@ -12,6 +12,7 @@ namespace laver {
 namespace reference {
 glm::dvec3 checker(const Texture& texture, glm::dvec2 st);
 glm::dvec3 constant(const Texture& texture, glm::dvec2 st);
+glm::dvec3 noise(const Texture& texture, glm::dvec2 st);
 glm::dvec3 stripes(const Texture& texture, glm::dvec2 st);
 glm::dvec3 uv(const Texture& texture, glm::dvec2 st);
 }  // namespace reference
@@ -46,8 +47,15 @@ Texture placed(Texture texture, const Properties& given) {
 
 void addTexture(const Properties& given, Texture texture, Draft& draft) {
   if (draft.meshes.empty()) return;
-  draft.meshes.back().bsdf.show(draft.textured, std::move(texture));
-  draft.meshes.back().textureOffsets[draft.textured] = given.offset();
+  MeshDraft& mesh = draft.meshes.back();
+  if (draft.texturedLight && mesh.light) {
+    mesh.light->texture = std::make_shared<Texture>(std::move(texture));
+    mesh.radianceOffset = given.offset();
+  } else if (!draft.texturedLight) {
+    texture.raw |= draft.textured == kNormalMap;
+    mesh.bsdf.show(draft.textured, std::move(texture));
+    mesh.textureOffsets[draft.textured] = given.offset();
+  }
 }
 
 PropertyRow pairOf(const char* name, PropertyType type, double start, const char* meaning) {
@@ -128,9 +136,33 @@ void buildStripes(const Properties& given, std::string_view, Draft& draft) {
   addTexture(given, inCells(std::move(texture), given), draft);
 }
 
+void buildFlat(const Properties& given, std::string_view, Draft& draft) {
+  Texture texture{.row = &textures::constant};
+  texture.colors.fill({0.5, 0.5, 1.0});
+  addTexture(given, std::move(texture), draft);
+}
+
+PropertyRow whole(const char* name, std::int64_t start, const char* meaning) {
+  return {.name = name, .type = Integer, .start = start, .meaning = meaning};
+}
+
+void buildNoise(const Properties& given, std::string_view, Draft& draft) {
+  Texture texture{.row = &textures::noise};
+  texture.scale = {static_cast<double>(given.integer("width", std::nullopt)),
+                   static_cast<double>(given.integer("height", std::nullopt))};
+  addTexture(given, std::move(texture), draft);
+}
+
 void buildUv(const Properties& given, std::string_view, Draft& draft) {
   addTexture(given, {.row = &textures::uv}, draft);
 }
+
+glm::dvec3 meanColor(const Texture& texture) {
+  return 0.5 * (texture.colors[0] + texture.colors[1]);
+}
+glm::dvec3 onlyColor(const Texture& texture) { return texture.colors[0]; }
+glm::dvec3 grey(const Texture&) { return glm::dvec3(0.5); }
+glm::dvec3 meanUv(const Texture&) { return {0.5, 0.5, 0.0}; }
 
 std::string describeColors(const Texture& texture) {
   return fmt::format("color1 = {}, color2 = {}", dump::triple(texture.colors[0]),
@@ -141,6 +173,7 @@ std::string describeColor(const Texture& texture) {
   return fmt::format("value = {}", dump::triple(texture.colors[0]));
 }
 
+std::string describeNoise(const Texture&) { return "nine octaves"; }
 std::string describeUv(const Texture&) { return "(u, v, 0)"; }
 
 const std::vector<Form> kCheckers = {
@@ -169,6 +202,7 @@ const TextureRow checker{.name = "checker",
                          .forms = xml::kCheckers,
                          .repeats = true,
                          .color = reference::checker,
+                         .mean = xml::meanColor,
                          .describe = xml::describeColors};
 
 const TextureRow constant{
@@ -179,8 +213,10 @@ const TextureRow constant{
                .build = xml::buildConstant},
               {.type = "constant_float",
                .properties = {xml::real("value", 0.0, "everywhere")},
-               .build = xml::buildFloatConstant}},
+               .build = xml::buildFloatConstant},
+              {.type = "normaltexture", .build = xml::buildFlat}},
     .color = reference::constant,
+    .mean = xml::onlyColor,
     .describe = xml::describeColor};
 
 const TextureRow stripes{
@@ -192,19 +228,34 @@ const TextureRow stripes{
                               xml::delta()},
                .build = xml::buildStripes}},
     .color = reference::stripes,
+    .mean = xml::meanColor,
     .describe = xml::describeColors};
+
+const TextureRow noise{
+    .name = "noise",
+    .object = "NoiseTexture",
+    .forms = {{.type = "perlintexture",
+               .properties = {xml::whole("width", 512, "cells of the finest octave along u"),
+                              xml::whole("height", 512, "cells of the finest octave along v"),
+                              xml::whole("levels", 9, "not used: there are nine octaves")},
+               .build = xml::buildNoise}},
+    .color = reference::noise,
+    .mean = xml::grey,
+    .describe = xml::describeNoise};
 
 const TextureRow uv{.name = "uv",
                     .object = "UvTexture",
                     .forms = {{.type = "uvtexture", .build = xml::buildUv}},
                     .color = reference::uv,
+                    .mean = xml::meanUv,
                     .describe = xml::describeUv};
 
 }  // namespace textures
 
 const Rows<TextureRow>& textureRows() {
   using namespace textures;
-  static const Rows<TextureRow> rows = {&checker, &constant, &stripes, &uv, &bitmap, &nearest};
+  static const Rows<TextureRow> rows = {&checker, &constant, &stripes, &noise,
+                                        &uv,      &bitmap,   &nearest};
   return rows;
 }
 

@@ -22,6 +22,8 @@ struct TextureRow {
   bool repeats = false;  ///< (s + 2, t) and (s, t + 2) show what (s, t) does
   /// The colour at (s, t) in double precision: host/reference/texture/NAME.cpp.
   glm::dvec3 (*color)(const Texture& texture, glm::dvec2 st) = nullptr;
+  /// The mean over the unit square of (s, t).
+  glm::dvec3 (*mean)(const Texture& texture) = nullptr;
   /// The part of the dump between the object's brackets, before scale and offset.
   std::string (*describe)(const Texture& texture) = nullptr;
 };

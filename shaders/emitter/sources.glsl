@@ -3,9 +3,12 @@
 #include "trace/surface.glsl"
 #include "shared/direction.h"
 
+// Density of light sampling per area of a mesh that emits.
+float emissionDensity(uint mesh) { return uintBitsToFloat(texelFetch(emissionTexels, int(mesh) * 2).w); }
+
 vec3 emittedTowards(Surface s, vec3 direction) {
   if (!HAS_EMISSION || dotProduct(s.normal, direction) <= 0.0) return vec3(0.0);
-  return texelVec3(texelFetch(emissionTexels, int(s.material)));
+  return radianceOf(s.material, s.id, s.weights);
 }
 
 // Density per solid angle with which light sampling at `origin` draws the point of a mesh that a ray from
@@ -13,7 +16,7 @@ vec3 emittedTowards(Surface s, vec3 direction) {
 // only.
 float sourceDensity(Surface s, vec3 origin, vec3 direction) {
   const vec3 away = s.position - origin;
-  const float perArea = uintBitsToFloat(texelFetch(emissionTexels, int(s.material)).w);
+  const float perArea = emissionDensity(s.material);
   const float cosine = abs(dotProduct(s.geometric, unitOr(direction, s.geometric)));
   return cosine > 0.0 ? perArea * dotProduct(away, away) / cosine : 0.0;
 }
@@ -42,18 +45,21 @@ Source drawSource(float number) {
 struct SourcePoint {
   vec3 position, geometric, normal;
   float offset, area;
-  uint material;
+  uint material, id;
+  vec3 weights;  // of the corners
 };
 
 // A point of a triangle or a sphere, uniform by area. Corners are in the order of storage.
 SourcePoint pointOn(uint slot, vec2 numbers) {
   const int texel = int(slot * 3u);
-  const vec3 a = texelVec3(texelFetch(triangleTexels, texel));
+  const uvec4 first = texelFetch(triangleTexels, texel);
+  const vec3 a = texelVec3(first);
   const vec3 b = texelVec3(texelFetch(triangleTexels, texel + 1));
   const uvec4 last = texelFetch(triangleTexels, texel + 2);
   const vec3 c = texelVec3(last);
   SourcePoint p;
   p.material = 0u;
+  p.id = first.w;
   uvec4 attributes = uvec4(0u);
   if (HAS_NORMALS || HAS_MATERIALS) {
     attributes = texelFetch(attributeTexels, int(slot));
@@ -63,6 +69,7 @@ SourcePoint pointOn(uint slot, vec2 numbers) {
     if (last.w == IS_SPHERE) {
       const float radius = b.x;
       p.normal = p.geometric = sphereDirection(numbers);
+      p.weights = vec3(0.0, uvOnSphere(p.normal));
       p.position = a + p.normal * radius;
       p.area = 12.5663706 * radius * radius;
       // As of a hit (shared/sphere.h), without the terms of a ray.
@@ -73,6 +80,7 @@ SourcePoint pointOn(uint slot, vec2 numbers) {
   if (HAS_CAPS) {
     if (last.w == IS_CAP) {
       p.normal = p.geometric = sphereDirection(numbers);
+      p.weights = vec3(0.0, uvOnSphere(p.normal));
       p.position = a + (p.normal - b) / c.x;
       p.area = 12.5663706 / (c.x * c.x);
       p.offset = 5.9604645e-8 * (16.0 / c.x + 4.0 * dotProduct(abs(p.normal), abs(p.position)));
@@ -81,6 +89,7 @@ SourcePoint pointOn(uint slot, vec2 numbers) {
   }
   const float root = sqrt(numbers.x);
   const vec3 weights = vec3(1.0 - root, root - numbers.y * root, numbers.y * root);
+  p.weights = weights;
   const vec3 n = accurateCross(b - a, c - a) * (last.w != 0u ? -1.0 : 1.0);
   p.position = a + ((b - a) * weights.y + (c - a) * weights.z);
   p.geometric = unitOr(n, vec3(0.0, 0.0, 1.0));
@@ -106,7 +115,6 @@ SourcePoint pointOn(uint slot, vec2 numbers) {
 
 SourceSample samplePrimitive(Surface s, uint slot, vec2 numbers) {
   const SourcePoint p = pointOn(slot, numbers);
-  const uvec4 emission = texelFetch(emissionTexels, int(p.material));
   SourceSample arriving;
   const vec3 away = p.position - s.position;
   const float squared = dotProduct(away, away);
@@ -116,8 +124,9 @@ SourceSample samplePrimitive(Surface s, uint slot, vec2 numbers) {
   // Both ends lie on their own side of the surfaces that they belong to.
   const float side = dotProduct(p.geometric, arriving.direction) < 0.0 ? p.offset : -p.offset;
   arriving.end = p.position + p.geometric * side;
-  arriving.density = seen ? uintBitsToFloat(emission.w) * squared / cosine : 0.0;
-  arriving.radiance = seen ? texelVec3(emission) * (cosine / squared * p.area) : vec3(0.0);
+  arriving.density = seen ? emissionDensity(p.material) * squared / cosine : 0.0;
+  arriving.radiance =
+      seen ? radianceOf(p.material, p.id, p.weights) * (cosine / squared * p.area) : vec3(0.0);
   return arriving;
 }
 

@@ -13,6 +13,7 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
     surfaces[r] = surfaceAt(rays.origin[r], rays.direction[r],
                             hits.slot[r] == NO_HIT ? 0u : hits.slot[r]);
     materials[r] = materialOf(surfaces[r]);
+    surfaces[r].normal = bsdfNormal(surfaces[r]);
   }
 
   uint i = 0u;

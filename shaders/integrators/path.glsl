@@ -56,7 +56,7 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
           radiance[r] += throughput[r] * backgroundAt(direction) *
                          foundWeight(density[r], backgroundDensity(direction));
       }
-      const Surface s = surfaceFrom(rays.origin[r], direction, rays.tmin[r], hit ? hits.slot[r] : 0u);
+      Surface s = surfaceFrom(rays.origin[r], direction, rays.tmin[r], hit ? hits.slot[r] : 0u);
       const Material m = materialOf(s);
       const vec3 wi = unitOr(-direction, s.normal);
       if (HAS_EMISSION) {
@@ -64,6 +64,7 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
           radiance[r] += throughput[r] * emittedTowards(s, wi) *
                          foundWeight(density[r], sourceDensity(s, rays.origin[r], direction));
       }
+      s.normal = bsdfNormal(s);
       const uint dimension = 2u + BOUNCE_DIMENSIONS * bounce;
       const vec2 choices = randomPair(r, dimension);
       bool scatters = hit && (MAX_BOUNCES == 0u || bounce < MAX_BOUNCES);

@@ -140,11 +140,13 @@ LAVER_CONST uint LIGHT_SPOT_SQUARE = 3;     // falls as the square of what is li
 LAVER_CONST uint LIGHT_SPOT_QUARTIC = 4;    // as its fourth power
 LAVER_CONST uint LIGHT_SPOT_PROJECTED = 5;  // the same, times the cosine
 
-// Light that a mesh emits on the side of its shading normal. 1 texel.
+// Light that a mesh emits on the side of its shading normal. 2 texels.
 struct Emission {
-  vec3 radiance;
+  vec3 radiance;  // or factor of the texture
   float
       density;  // of light sampling, per area of normalised space, before probabilities are rounded
+  uint shown;  // 1 + the texture's index, or TEXTURE_NONE
+  uint unused0, unused1, unused2;
 };
 
 // A light source of light sampling, which draws one of all. 1 texel.
@@ -295,7 +297,7 @@ static_assert(sizeof(Triangle) == 48 && offsetof(Triangle, c) == 32);
 static_assert(sizeof(Attributes) == 16);
 static_assert(sizeof(Texture) == 64 && offsetof(Texture, image) == 48);
 static_assert(sizeof(Light) == 48 && offsetof(Light, radiance) == 16);
-static_assert(sizeof(Jump) == 16 && sizeof(Emission) == 16 && sizeof(Source) == 16);
+static_assert(sizeof(Jump) == 16 && sizeof(Emission) == 32 && sizeof(Source) == 16);
 static_assert(sizeof(Count) == 16 && sizeof(Work) == 16);
 static_assert(sizeof(Params) == 496 && offsetof(Params, filmSize) == 80);
 static_assert(sizeof(Pass) == 112);

@@ -16,7 +16,7 @@ void main() {
   s.t = s.offset = 0.0;
   s.material = pass.region.y;
   s.weights = vec3(1.0 - q.uv.x - q.uv.y, q.uv);
-  s.id = pass.region.y;  // a triangle per material
+  s.id = s.slot = pass.region.y;  // a triangle per material
   const Material m = materialOf(s);
   BsdfAnswer a;
   a.weight = sampleBsdf(m, s.normal, q.wi, vec2(q.first, q.second), a.wo);

@@ -11,12 +11,13 @@ struct Surface {
   float offset;
   uint material;
   vec3 weights;    // of the corners
-  uint id;
+  uint id, slot;   // of the primitive
 };
 
 // The surface at the hit of a ray, from `tmin` on, with the primitive in `slot`.
 Surface surfaceFrom(vec3 origin, vec3 direction, float tmin, uint slot) {
   Surface s;
+  s.slot = slot;
   const Point p = hitPointAt(origin, direction, tmin, slot, s.id);
   s.position = p.position;
   s.geometric = p.geometric;

@@ -72,13 +72,13 @@ INSTANTIATE_TEST_SUITE_P(Parts, General, testing::ValuesIn(generalParts()),
 
 /// The fields of a key that some part makes general. The others say what is shown, how rays are
 /// traced (traversal, portions, lockstep, bounces, adaptive: tests of their own), name the BSDFs or
-/// are the user's text; which meshes emit concerns integrators that follow paths alone. A new field
+/// are the user's text; what meshes emit concerns integrators that follow paths alone. A new field
 /// does not compile here before it has one of the two places.
 auto madeGeneral(const TraceKey& key) {
   const auto& [integrator, userFile, userText, camera, sampler, background, bsdfs, textures, layout,
                traversal, stack, jumpLevels, hits, normals, materials, bsdfRecords, spheres, caps,
                farParts, slivers, farCamera, portions, lights, shapedLights, manyLights, lockstep,
-               bounces, emission, byteImages, floatImages, adaptive, signedValues, properties] =
+               bounces, emission, texturedLights, byteImages, floatImages, adaptive, signedValues, properties] =
       key;
   return std::tuple(background, textures, layout, stack, jumpLevels, hits, normals, materials,
                     bsdfRecords, spheres, caps, farParts, slivers, farCamera, lights, shapedLights,

@@ -1,5 +1,7 @@
 // Textures and backgrounds of scene files: every value reaches its member, and every error has its
 // message.
+#include <fmt/format.h>
+
 #include "support/picture_files.h"
 #include "support/scene_files.h"
 
@@ -40,6 +42,43 @@ TEST_F(SceneTextures, ACheckerHasNorisDefaults) {
   EXPECT_EQ(texture->colors[1], glm::dvec3(0.1));
   EXPECT_EQ(texture->scale, glm::dvec2(1.0));
   EXPECT_EQ(texture->offset, glm::dvec2(0.0));
+}
+
+TEST_F(SceneTextures, ANormalMapHasASlotOfItsOwnAndIsLinear) {
+  for (const char* name : {"normal", "normalmap"}) {
+    const auto loaded = files_.load(
+        whitted(fmt::format("<texture type=\"textmap\" name=\"{}\"><string name=\"filename\" "
+                            "value=\"a.png\"/></texture>",
+                            name)));
+    EXPECT_TRUE(loaded.warnings.empty());
+    const Texture* map = loaded.scene.meshes.at(0).bsdf.texture(kNormalMap);
+    ASSERT_TRUE(map);
+    EXPECT_TRUE(map->raw);
+    EXPECT_TRUE(map->image);
+    EXPECT_EQ(loaded.scene.meshes[0].bsdf.texture("albedo"), nullptr);
+  }
+}
+
+TEST_F(SceneTextures, ALightsTextureHasItsMeanAndItsScale) {
+  const auto loaded = files_.load(
+      scene(mesh("<emitter type=\"area\"><float name=\"scale\" value=\"4\"/><texture "
+                 "type=\"checkerboard_color\" name=\"radiance\"><color name=\"value1\" value=\"1 2 "
+                 "3\"/></texture></emitter>") +
+                mesh("<emitter type=\"area\">" +
+                     std::string(
+                         "<texture type=\"bitmap\" name=\"radiance\"><boolean name=\"raw\" "
+                         "value=\"true\"/><string name=\"filename\" value=\"a.png\"/></texture>") +
+                     "</emitter>"),
+            "path_mis"),
+      kNamed);
+  EXPECT_TRUE(loaded.warnings.empty());
+  const auto& light = loaded.scene.meshes.at(0).light;
+  ASSERT_TRUE(light && light->texture);
+  EXPECT_EQ(light->radiance, glm::dvec3(4, 6, 8));
+  EXPECT_EQ(light->scale, 4.0);
+  const auto& shown = loaded.scene.meshes.at(1).light;
+  ASSERT_TRUE(shown && shown->texture && shown->texture->image);
+  EXPECT_NEAR(shown->radiance.g, 20 / 255.0, 1e-15);
 }
 
 TEST_F(SceneTextures, EveryValueReachesItsPlace) {
@@ -245,10 +284,16 @@ TEST_F(SceneTextures, MissingAndBrokenFiles) {
 TEST_F(SceneTextures, WrongPlacesAndNames) {
   EXPECT_EQ(files_.errors(whitted("<texture type=\"checker\" name=\"reflectance\"/>")),
             "f.xml:3:2: error: <texture> replaces \"reflectance\" of bsdf \"diffuse\", expected "
-            "name=\"albedo\"");
+            "name=\"albedo\" or \"normal\"");
   EXPECT_EQ(
       files_.errors(scene(mesh("\n<texture type=\"checker\" name=\"albedo\"/>"), "direct_whitted")),
-      "f.xml:3:2: error: <texture> is in mesh \"obj\", expected in <bsdf>");
+      "f.xml:3:2: error: <texture> is in mesh \"obj\", expected in <bsdf> or "
+      "<emitter type=\"area\">");
+  EXPECT_EQ(files_.errors(scene(mesh("<emitter type=\"area\">\n<texture type=\"checker\" "
+                                     "name=\"scale\"/></emitter>"),
+                                "path_mis")),
+            "f.xml:3:2: error: <texture> replaces \"scale\" of emitter \"area\", expected "
+            "name=\"radiance\"");
   EXPECT_EQ(files_.errors(scene(mesh("\n<emitter type=\"constant\"/>"), "direct_whitted")),
             "f.xml:3:2: error: emitter \"constant\" is in <mesh>, expected in <scene>");
   EXPECT_EQ(files_.errors(scene("<emitter type=\"constant\"/>\n<emitter type=\"environment\"/>",

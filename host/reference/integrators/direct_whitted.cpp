@@ -4,6 +4,7 @@
 #include "reference/emitter.h"
 #include "reference/integrators.h"
 #include "reference/openness.h"
+#include "reference/texture.h"
 
 namespace laver::reference {
 
@@ -15,7 +16,8 @@ glm::dvec3 directWhitted(const CameraSample& sample) {
     const auto& sky = sample.scene.environment;
     return sky ? sky->row->background(*sky, sample.direction) : sum;
   }
-  const Surface surface = sample.world.surface(*sample.hit);
+  Surface surface = sample.world.surface(*sample.hit);
+  surface.shading = bsdfNormal(surface);
   if (glm::dot(surface.shading, -sample.direction) <= 0.0) return sum;
   const BsdfPoint point(surface.mesh->bsdf, surface.textureUv, surface.shading);
   const glm::dvec3 wi = glm::normalize(-sample.direction);

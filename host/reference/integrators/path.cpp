@@ -6,6 +6,7 @@
 #include "reference/integrators.h"
 #include "reference/light_sources.h"
 #include "reference/openness.h"
+#include "reference/texture.h"
 
 namespace laver::reference {
 
@@ -65,12 +66,13 @@ glm::dvec3 path(const CameraSample& sample, const Rules& rules) {
                     foundWeight(rules, density, sample.sources.backgroundDensity(direction));
       return radiance;
     }
-    const Surface surface = sample.world.surface(*hit);
+    Surface surface = sample.world.surface(*hit);
     const glm::dvec3 wi = -glm::normalize(direction);
     if (counts)
       radiance += throughput * emitted(surface, wi) *
                   foundWeight(rules, density, sample.sources.density(surface, origin, direction));
     if (bounce == rules.bounces) return radiance;
+    surface.shading = bsdfNormal(surface);
 
     const auto dimension = static_cast<std::uint32_t>(2 + 3 * bounce);
     const glm::dvec2 choices = sample.numbers.pair(dimension);
