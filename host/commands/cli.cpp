@@ -132,6 +132,17 @@ void addCompare(CLI::App& app, CompareCommand& command) {
                  "exit code 5 if a larger share of the pixels is beyond the tolerance")
       ->check(CLI::Range(0.0, 1.0))
       ->needs(app.get_option("--tolerance"));
+  app.add_flag("--noise", command.noise,
+               "exit code 5 if noise does not explain the difference, by the variances that "
+               "--layers variance writes")
+      ->excludes(app.get_option("--tolerance"));
+  app.add_option("--significance", command.limits.significance,
+                 "of --noise: share of equal pictures that differ by chance")
+      ->check(CLI::Range(1e-12, 0.5))
+      ->needs(app.get_option("--noise"));
+  app.add_option("--pass", command.limits.pass, "of --noise: share of the pixels that must agree")
+      ->check(CLI::Range(0.0, 1.0))
+      ->needs(app.get_option("--noise"));
   app.add_flag("--json", command.json, "print all figures as JSON");
   app.add_option("--out", command.out, "folder for difference.exr and difference.png")
       ->check(isNotEmpty())

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "image/noise_test.h"
 #include "render/options.h"
 #include "render/renderer.h"
 #include "scene/scene.h"
@@ -51,7 +52,9 @@ struct CompareCommand {
   std::string metric = "max";       ///< that the tolerance bounds
   std::optional<double> maxShare;   ///< of pixels beyond the tolerance, which then bounds pixels
   bool json = false;
-  std::string out;  ///< folder for pictures of the difference; empty: none
+  std::string out;     ///< folder for pictures of the difference; empty: none
+  bool noise = false;  ///< a test of whether noise explains the difference takes the metric's place
+  NoiseLimits limits;  ///< of that test
 };
 
 /// `laver explain SCENE.xml`.

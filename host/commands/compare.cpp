@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -89,21 +90,78 @@ bool isWithin(const CompareCommand& command, const Compared& all) {
   });
 }
 
-/// Writes FOLDER/difference.exr and .png, and creates the folder if needed. The latter shows
-/// `flips`, if there are any.
+/// Creates a folder if needed.
+std::filesystem::path folderFor(const std::string& name) {
+  std::error_code error;
+  std::filesystem::create_directories(name, error);
+  if (error)
+    throw Error(ExitCode::Output, "cannot make the folder \"" + name + "\": " + error.message());
+  return name;
+}
+
+/// Writes FOLDER/difference.exr and .png. The latter shows `flips`, if there are any.
 void writeDifference(const CompareCommand& command, const Image& a, const Image& b,
                      const std::vector<double>& flips) {
-  namespace fs = std::filesystem;
-  const fs::path folder = command.out;
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw Error(ExitCode::Output,
-                "cannot make the folder \"" + command.out + "\": " + error.message());
+  const std::filesystem::path folder = folderFor(command.out);
   writeExr((folder / "difference.exr").string(), difference(a, b),
            {{"comments", command.a + " minus " + command.b}});
   writePng((folder / "difference.png").string(),
            drawDistances(flips.empty() ? largestDistances(a, b) : flips, a.width, a.height));
+}
+
+/// The largest filter of the two files, in pixels; of files that do not say, that of Nori's.
+int reachOf(const CompareCommand& command) {
+  int reach = 0;
+  for (const std::string& file : {command.a, command.b}) {
+    const auto attributes = readExrTexts(file);
+    const auto found = attributes.find("filterReach");
+    reach = std::max(reach, found == attributes.end() ? 2 : std::atoi(found->second.c_str()));
+  }
+  return reach;
+}
+
+std::string textOf(const CompareCommand& command, const NoiseTest& test) {
+  if (command.json) {
+    nlohmann::ordered_json json = {{"a", command.a}, {"b", command.b}};
+    json["noise"] = {{"significance", command.limits.significance},
+                     {"pass", command.limits.pass},
+                     {"pixels", test.pixels},
+                     {"agree", test.agree},
+                     {"smallestP", test.smallest},
+                     {"mean", {{"relativeDifference", test.meanDifference}, {"p", test.meanP}}},
+                     {"equal", test.passed}};
+    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+  }
+  return fmt::format(
+      "noise: {:.4f} % of {} pixels agree, {:.4f} % must; smallest p {:.3g}\n"
+      "mean: relative difference {:.3g}, p {:.3g}\n{} at significance {:g}\n",
+      100.0 * test.agree, test.pixels, 100.0 * command.limits.pass, test.smallest,
+      test.meanDifference, test.meanP,
+      test.passed ? "noise explains the difference" : "noise does not explain the difference",
+      command.limits.significance);
+}
+
+/// FOLDER/p.exr and p.png: the corrected p of each pixel, in the picture as 1 - p.
+void writeNoise(const CompareCommand& command, const NoiseTest& test, const Image& like) {
+  const std::filesystem::path folder = folderFor(command.out);
+  Image p = blackImage(like.width, like.height, {"p"});
+  p.window = like.window;
+  std::vector<double> apart;
+  for (std::size_t i = 0; i < test.p.size(); ++i) {
+    p.pixels[i] = static_cast<float>(test.p[i]);
+    apart.push_back(1.0 - test.p[i]);
+  }
+  writeExr((folder / "p.exr").string(), p,
+           {{"comments", "p of equal expectations: " + command.a + " and " + command.b}});
+  writePng((folder / "p.png").string(), drawDistances(apart, like.width, like.height));
+}
+
+ExitCode runNoise(const CompareCommand& command, const Image& a, const Image& b) {
+  const NoiseTest test = testNoise(a, b, command.limits, reachOf(command));
+  std::cout << textOf(command, test);
+  flushStandardOutput();
+  if (!command.out.empty()) writeNoise(command, test, a);
+  return test.passed ? ExitCode::Ok : ExitCode::Different;
 }
 
 }  // namespace
@@ -114,6 +172,7 @@ ExitCode run(const CompareCommand& command) {
   if (cutToShared(a, b) && !command.json)
     std::cout << fmt::format("compared where both have pixels: {}x{} from ({}, {})\n", a.width,
                              a.height, a.window.x, a.window.y);
+  if (command.noise) return runNoise(command, a, b);
   const Compared all = measured(command, a, b);
   const bool within = isWithin(command, all);
   std::cout << textOf(command, all, within);

@@ -16,6 +16,7 @@
 #include "core/beside.h"
 #include "core/hash.h"
 #include "image/io.h"
+#include "render/tiling.h"
 #include "scene/mesh_files.h"
 
 namespace laver {
@@ -112,6 +113,7 @@ Metadata metadataOf(const Scene& scene, const Rendered& rendered, const Stats& s
                        {"sceneHash", fileHash(scene.file)},
                        {"seed", std::to_string(scene.sampler.seed)},
                        {"sampler", std::string(scene.sampler.row->name)},
+                       {"filterReach", std::to_string(apronOf(scene.filter.radius))},
                        {"renderTimeSeconds", renderSeconds},
                        {"samplesPerPixel", static_cast<int>(rendered.reached.samples)},
                        {"worldToCamera", worldToCamera},

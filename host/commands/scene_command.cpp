@@ -45,12 +45,26 @@ void checkError(const RenderCommand& command) {
                 "requires the same number of samples in every pixel");
 }
 
+void checkVariance(const RenderCommand& command, const Scene& scene) {
+  if (!asks(command.options.layers, layers::variance)) return;
+  const auto refuse = [](const std::string& why) {
+    throw Error(ExitCode::Usage, "--layers variance: " + why);
+  };
+  if (command.options.error != 0.0)
+    refuse("not with --error, whose pixels have unequal numbers of samples");
+  if (command.resume) refuse("not with --resume, which keeps sums of samples only");
+  if (scene.sampler.sampleCount < 2)
+    refuse("one sample per pixel has none; the minimum is --spp 2");
+}
+
 /// Channels of all layers.
 std::size_t layerChannels(const RenderOptions& options) {
   std::size_t count = centreChannels(options.layers).size();
   for (const Shown& shown : shownBeside(options.more, options.layers))
     count += shown.channels.size();
-  return count + (asks(options.layers, layers::samples) ? 1 : 0);
+  for (const LayerRow* layer : {&layers::samples, &layers::variance})
+    if (asks(options.layers, *layer)) count += layer->channels.size();
+  return count;
 }
 
 /// Checks that the picture and its files fit in memory: 20 bytes per pixel, measured at 16384 x
@@ -58,7 +72,10 @@ std::size_t layerChannels(const RenderOptions& options) {
 void checkMemory(const RenderCommand& command, const Camera& camera) {
   const Crop film = coreOf(camera, command.options);
   // Layers: 4 bytes per channel, the same again while they are joined, and again for the file.
-  const std::uint64_t bytes = (command.resume ? 88 : 24) + 12 * layerChannels(command.options) +
+  // Sums of variances are 128 bytes.
+  const std::uint64_t sums = asks(command.options.layers, layers::variance) ? 128 : 0;
+  const std::uint64_t bytes = (command.resume ? 88 : 24) + sums +
+                              12 * layerChannels(command.options) +
                               (command.displayServer ? 12 : 0) +
                               (command.gui ? 12 + 4 * layerChannels(command.options) : 0);
   const std::uint64_t needed = bytes * static_cast<std::uint64_t>(film.x1 - film.x0) *
@@ -96,6 +113,7 @@ Scene sceneOf(const SceneCommand& command) {
 void checkRender(const RenderCommand& command, const Scene& scene) {
   warnOfMissingUvs(command.options, scene);
   checkError(command);
+  checkVariance(command, scene);
   checkMemory(command, scene.camera);
 }
 

@@ -97,6 +97,16 @@ class Band {
     });
   }
 
+  void addTo(PixelVariances& variances) const {
+    const auto n = static_cast<std::uint32_t>(samples_.size() / traced());
+    variances.add(pixels_, around_, n, [&](int x, int y, std::uint32_t number) {
+      const Sample& sample =
+          samples_[number * traced() + index(y - around_.y0) * width() + index(x - around_.x0)];
+      return PixelVariances::Sample{glm::dvec2(sample.film) - glm::dvec2(x, y), sample.value,
+                                    sample.kept};
+    });
+  }
+
   // Writes the pixels to a picture of `crop`.
   void write(const Crop& crop, Image& image) const {
     auto sums = sums_.begin();
@@ -154,8 +164,10 @@ Rendered renderFilm(const Scene& scene, const RenderOptions& options, const Pict
   for (int y0 = crop.y0; y0 < crop.y1 && done == count; y0 += rows) {
     const int y1 = std::min(y0 + rows, crop.y1);
     Band band(scene, options, {crop.x0, y0, crop.x1, y1}, picture.isSigned);
+    // A variance takes several samples.
+    const std::size_t least = picture.variances != nullptr ? 16 : 1;
     const auto batch =
-        static_cast<std::uint32_t>(std::max<std::size_t>(samplesAtOnce / band.traced(), 1));
+        static_cast<std::uint32_t>(std::max<std::size_t>(samplesAtOnce / band.traced(), least));
     const auto show = [&] {
       band.write(crop, rendered.image);
       observers.rowsChanged(rendered.image, y0 - crop.y0, y1 - crop.y0);
@@ -164,6 +176,7 @@ Rendered renderFilm(const Scene& scene, const RenderOptions& options, const Pict
       const std::uint32_t end = done + std::min(batch, count - done);
       rendered.droppedSamples += band.trace(done, end, picture.radianceAt);
       band.gather();
+      if (picture.variances != nullptr) band.addTo(*picture.variances);
       done = end;
       const double inBand = static_cast<double>(end) / count * (y1 - y0);
       const double share = (y0 - crop.y0 + inBand) / (crop.y1 - crop.y0);

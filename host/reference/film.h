@@ -9,6 +9,7 @@
 #include "render/observer.h"
 #include "render/options.h"
 #include "render/rendered.h"
+#include "render/variance.h"
 #include "scene/scene.h"
 
 namespace laver::reference {
@@ -19,8 +20,9 @@ using RadianceAt = std::function<glm::dvec3(glm::dvec2 film, const Numbers& numb
 /// One of the pictures of a render.
 struct Picture {
   RadianceAt radianceAt;
-  bool isSigned;             ///< negative values are valid
-  std::size_t index, count;  ///< among the pictures of the render
+  bool isSigned;                        ///< negative values are valid
+  std::size_t index, count;             ///< among the pictures of the render
+  PixelVariances* variances = nullptr;  ///< to which its samples are added, too
 };
 
 /// Renders the crop, or the whole film. A pixel is sum w value / sum w over the samples within the

@@ -103,7 +103,13 @@ Rendered Reference::render(const RenderOptions& options) const {
   const std::vector<Shown> more = shownBeside(options.more, options.layers);
   for (const Shown& layer : more) requireTwins(impl_->scene, layer.integrator);
   const std::size_t count = 1 + more.size();
-  Rendered all = picture(impl_->scene.integrator, options, {0, count}, observers);
+  std::optional<PixelVariances> variances;
+  if (asks(options.layers, layers::variance))
+    variances.emplace(coreOf(impl_->scene.camera, options),
+                      reference::FilterWeights(impl_->scene.filter, options.noriCompat),
+                      options.threads);
+  Rendered all = picture(impl_->scene.integrator, options,
+                         {0, count, variances ? &*variances : nullptr}, observers);
   const int width = all.image.width, height = all.image.height;
   std::vector<Image> parts;
   parts.push_back(std::move(all.image));
@@ -123,6 +129,7 @@ Rendered Reference::render(const RenderOptions& options) const {
       for (int x = 0; x < width; ++x)
         parts.back().at(x, y, 0) = static_cast<float>(all.reached.samplesIn(y, wanted));
   }
+  if (variances) parts.push_back(variances->image());
   all.image = joined(std::move(parts));
   observers.finished(all.image);
   return all;
@@ -135,7 +142,8 @@ Rendered Reference::picture(const IntegratorUse& integrator, const RenderOptions
                                numbers);
   };
   return reference::renderFilm(
-      impl_->scene, options, {radianceAt, integrator.row->needs.negative, place.index, place.count},
+      impl_->scene, options,
+      {radianceAt, integrator.row->needs.negative, place.index, place.count, place.variances},
       observers);
 }
 

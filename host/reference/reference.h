@@ -13,6 +13,8 @@
 
 namespace laver {
 
+class PixelVariances;
+
 /// Double-precision CPU renderer that checks the Vulkan renderer. The two share the scene structs
 /// and nothing else.
 class Reference {
@@ -63,6 +65,7 @@ class Reference {
   /// The index of a picture among those of the render.
   struct Place {
     std::size_t index, count;
+    PixelVariances* variances = nullptr;
   };
   Rendered picture(const IntegratorUse& integrator, const RenderOptions& options, Place place,
                    Observers& observers) const;

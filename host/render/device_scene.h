@@ -19,6 +19,8 @@ class DeviceScene {
   const Bindings& bindings() const { return bindings_; }
   const Buffer& film() const { return film_; }
   const Buffer& status() const { return status_; }
+  const Buffer& samples() const { return samples_; }
+  const Buffer& samplesY() const { return samplesY_; }
   /// Sets all samples to NaN.
   void poisonSamples() const;
 

@@ -219,6 +219,17 @@ void Frame::record(VkCommandBuffer commands, const Kernel& kernel, const Dispatc
                   dispatch.groups);
 }
 
+Frame::Traced Frame::traced() {
+  const auto all = [](const Buffer& buffer, std::vector<std::byte>& copy) {
+    return buffer.contents(buffer.bytes(), copy);
+  };
+  const auto values = all(onDevice_.samples(), copyOfSamples_);
+  const auto inY = all(onDevice_.samplesY(), copyOfY_);
+  return {{reinterpret_cast<const glm::vec4*>(values.data()), values.size() / sizeof(glm::vec4)},
+          {reinterpret_cast<const float*>(inY.data()), inY.size() / sizeof(float)},
+          gathered_};
+}
+
 void Frame::gather(const shared::Pass& given) {
   const Stopwatch watch(work_.gatherSeconds);
   ++work_.passes;

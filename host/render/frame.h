@@ -53,6 +53,13 @@ class Frame {
   shared::Pass passOverCentres(const Crop& band);
   /// Traces the pass's samples.
   void trace(const shared::Pass& pass);
+  /// The pass's samples, until the next one: of each slot radiance and x within its pixel, and y.
+  struct Traced {
+    std::span<const glm::vec4> values;
+    std::span<const float> inY;
+    std::span<const Crop> gathered;  ///< the pixels that show them
+  };
+  Traced traced();
   /// Adds the pass's samples to the film's sums.
   void gather(const shared::Pass& pass);
 
@@ -109,7 +116,7 @@ class Frame {
   const PictureChoice* picture_ = nullptr;
   shared::Status status_{};
   bool filmIsClear_ = true;
-  std::vector<std::byte> copy_;
+  std::vector<std::byte> copy_, copyOfSamples_, copyOfY_;
   Coverage gatherable_;                  ///< pixels that the current picture's samples may affect
   std::vector<Crop> traced_, gathered_;  ///< parts of the current band
   const SampleMap* map_ = nullptr;

@@ -7,6 +7,7 @@
 #include "render/resolve.h"
 #include "render/sample_map.h"
 #include "render/stopwatch.h"
+#include "render/variance.h"
 #include "scene/layers.h"
 
 namespace laver {
@@ -30,6 +31,7 @@ class Loop {
       if (whole) {
         frame_.begin(picture);
         if (parts.empty()) {
+          if (asks(task_.options.layers, layers::variance)) beginVariances();
           times_.coverage = frame_.coverage(core_);
           reached = renderFirst();
         } else {
@@ -46,6 +48,7 @@ class Loop {
     state_.dropped += frame_.dropped();
     if (asks(task_.options.layers, layers::samples))
       parts.push_back(samplesLayer(parts.front(), ofFirst));
+    if (variances_) parts.push_back(variances_->image());
     return {joined(std::move(parts)), ofFirst, state_.dropped};
   }
 
@@ -150,6 +153,7 @@ class Loop {
       pass.firstSample = done;
       pass.sampleCount = std::min(task_.choices.tiling.samplesPerPass, span.end - done);
       frame_.trace(pass);
+      if (variances_ && picture_ == &task_.choices.pictures.front()) addVariances(pass);
       frame_.gather(pass);
       done += pass.sampleCount;
       passDone(band, done, span.of);
@@ -158,6 +162,33 @@ class Loop {
                             ? map_->samplesOf(band, done)
                             : std::uint64_t{pass.core.z} * pass.core.w * (done - span.first));
     return done;
+  }
+
+  void beginVariances() {
+    variances_.emplace(core_,
+                       reference::FilterWeights(task_.scene.filter, task_.options.noriCompat),
+                       task_.options.threads);
+  }
+
+  /// The slots are those of sampleSlot() in shaders/resources.glsl.
+  void addVariances(const shared::Pass& pass) {
+    const Frame::Traced traced = frame_.traced();
+    const glm::uvec4 region = pass.region;
+    const std::size_t perRow = (region.z + shared::SLOT_COLUMNS - 1) / shared::SLOT_COLUMNS;
+    const std::size_t perBlock =
+        std::size_t{std::min(pass.sampleCount, shared::GATHER_SAMPLES)} * shared::SLOT_COLUMNS;
+    const auto at = [&](int x, int y, std::uint32_t s) -> PixelVariances::Sample {
+      const std::size_t column = static_cast<std::size_t>(x) - region.x;
+      const std::size_t row = std::size_t{s / shared::GATHER_SAMPLES} * region.w +
+                              static_cast<std::size_t>(y) - region.y;
+      const std::size_t slot = (row * perRow + column / shared::SLOT_COLUMNS) * perBlock +
+                               std::size_t{s % shared::GATHER_SAMPLES} * shared::SLOT_COLUMNS +
+                               column % shared::SLOT_COLUMNS;
+      const glm::vec4 value = traced.values[slot];
+      return {{value.w, traced.inY[slot]}, glm::dvec3(value), value.w != shared::DROPPED};
+    };
+    for (const Crop& part : traced.gathered)
+      variances_->add(part, cropOf(region), pass.sampleCount, at);
   }
 
   /// Reports that a band has n of its samples.
@@ -225,7 +256,8 @@ class Loop {
   RenderTimes& times_;
   const PictureChoice* picture_ = nullptr;
   Image image_;
-  std::optional<SampleMap> map_;  ///< of adaptive sampling, after the pilots
+  std::optional<SampleMap> map_;             ///< of adaptive sampling, after the pilots
+  std::optional<PixelVariances> variances_;  ///< of the first picture
 };
 
 }  // namespace

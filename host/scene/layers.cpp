@@ -36,12 +36,14 @@ const LayerRow position{
     .name = "position", .channels = {"P.X", "P.Y", "P.Z"}, .write = writePosition};
 const LayerRow id{.name = "id", .channels = {"shape_index", "prim_index"}, .write = writeId};
 const LayerRow samples{.name = "samples", .channels = {"samples"}};
+const LayerRow variance{.name = "variance", .channels = {"variance.R", "variance.G", "variance.B"}};
 
 }  // namespace layers
 
 const Rows<LayerRow>& layerRows() {
   using namespace layers;
-  static const Rows<LayerRow> rows = {&normals, &depth, &albedo, &uv, &position, &id, &samples};
+  static const Rows<LayerRow> rows = {&normals,  &depth, &albedo,  &uv,
+                                      &position, &id,    &samples, &variance};
   return rows;
 }
 

@@ -22,7 +22,7 @@ struct CentreHit {
 
 /// An additional layer of the EXR file: the picture of an integrator, reconstructed by the same
 /// filter; or properties of the hit of the ray through the pixel's centre, for which a mean across
-/// an edge would be meaningless; or neither, the number of samples.
+/// an edge would be meaningless; or neither: the number of samples, or the variance.
 struct LayerRow {
   const char* name;
   std::vector<const char*> spellings{};
@@ -33,7 +33,7 @@ struct LayerRow {
 };
 
 namespace layers {
-extern const LayerRow normals, depth, albedo, uv, position, id, samples;
+extern const LayerRow normals, depth, albedo, uv, position, id, samples, variance;
 }  // namespace layers
 
 const Rows<LayerRow>& layerRows();
