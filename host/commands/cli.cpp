@@ -7,7 +7,7 @@
 
 #include "commands/cli_values.h"
 #include "commands/process.h"
-#include "image/compare.h"
+#include "image/measure.h"
 #include "show/view.h"
 
 namespace laver {
@@ -113,21 +113,13 @@ void addPlan(CLI::App& app, PlanCommand& command) {
   app.add_flag("--json", command.json, "print JSON");
 }
 
-/// FLIP is of all channels together, the others of each.
-std::vector<std::string> metrics() {
-  std::vector<std::string> names;
-  for (const Statistic& statistic : kStatistics) names.emplace_back(statistic.name);
-  names.insert(names.end(), {"rmse", "relmse", "flip", "ldrflip"});
-  return names;
-}
-
 void addCompare(CLI::App& app, CompareCommand& command) {
   app.add_option("A.exr", command.a, "picture")->type_name("")->required();
   app.add_option("B.exr", command.b, "reference")->type_name("")->required();
   app.add_option("--tolerance", command.tolerance,
                  "exit code 5 if the metric of a channel is beyond it");
   app.add_option("--metric", command.metric, "metric that the tolerance bounds")
-      ->check(CLI::IsMember(metrics()));
+      ->check(CLI::IsMember(metricNames()));
   app.add_option("--max-share", command.maxShare,
                  "exit code 5 if a larger share of the pixels is beyond the tolerance")
       ->check(CLI::Range(0.0, 1.0))
