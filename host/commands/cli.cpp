@@ -8,6 +8,7 @@
 #include "commands/cli_values.h"
 #include "commands/process.h"
 #include "image/measure.h"
+#include "lab/suite/settings.h"
 #include "show/view.h"
 
 namespace laver {
@@ -164,6 +165,24 @@ void addChart(CLI::App& app, ChartCommand& command) {
   app.add_flag("-q,--quiet", command.quiet, "print nothing but warnings and errors");
 }
 
+void addTest(CLI::App& app, TestCommand& command) {
+  app.add_option("FOLDER", command.folder, "folder of scenes and tests")->type_name("")->required();
+  addDevice(app, command.vulkan);
+  addThreads(app, command.threads);
+  app.add_flag("--reference", command.reference, "render in double precision on the CPU");
+  app.add_option("--jobs", command.jobs, "tests that run at once")->check(CLI::Range(1U, 1024U));
+  app.add_flag("--accept", command.accept,
+               "write the expected pictures of tests that have none or fail");
+  app.add_flag("--allow-skip", command.allowSkip, "without a Vulkan device, skip tests");
+  app.add_option("--junit", command.junit, "JUnit XML file to write")
+      ->check(isNotEmpty())
+      ->type_name("FILE.xml");
+  app.add_option("--html", command.html, "page with all pictures to write")
+      ->check(isNotEmpty())
+      ->type_name("FILE.html");
+  app.footer(suite::help());
+}
+
 void addSchema(CLI::App& app, SchemaCommand& command) {
   app.add_flag("--json", command.json, "as JSON")
       ->excludes(app.add_flag("--markdown", command.markdown, "as tables of a Markdown document"));
@@ -195,6 +214,8 @@ Job parse(int argc, const char* const* argv) {
   addSubcommand(app, "view", "Shows one or two pictures in a window", addView, job);
   addSubcommand(app, "chart", "Draws speed against accuracy for every way to render a scene",
                 addChart, job);
+  addSubcommand(app, "test", "Compares the scenes of a folder with their expected pictures",
+                addTest, job);
   addSubcommand(app, "devices", "Lists Vulkan devices", addNothing, job);
   addSubcommand(app, "plan", "Prints how a scene would be rendered, what is left out and why",
                 addPlan, job);

@@ -29,7 +29,7 @@ std::string readToEnd(int descriptor) {
 
 }  // namespace
 
-ProcessRun runProcess(std::vector<std::string> arguments) {
+ProcessRun runProcess(std::vector<std::string> arguments, const std::string& output) {
   std::vector<char*> argv;
   argv.reserve(arguments.size() + 1);
   for (std::string& argument : arguments) argv.push_back(argument.data());
@@ -39,7 +39,8 @@ ProcessRun runProcess(std::vector<std::string> arguments) {
     throw Error(ExitCode::Output, fmt::format("no pipe: {}", std::strerror(errno)));
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(),
+                                   O_WRONLY | O_CREAT | O_TRUNC, 0600);
   posix_spawn_file_actions_adddup2(&actions, errors[1], STDERR_FILENO);
   const auto start = std::chrono::steady_clock::now();
   pid_t child = 0;

@@ -11,8 +11,8 @@ struct ProcessRun {
   std::string errorOutput;  ///< all of stderr
 };
 
-/// Runs a program, found by PATH, with stdout discarded, and waits until it ends. Throws
+/// Runs a program, found by PATH, with stdout in the file `output`, and waits until it ends. Throws
 /// Error(Usage) if it cannot be started.
-ProcessRun runProcess(std::vector<std::string> arguments);
+ProcessRun runProcess(std::vector<std::string> arguments, const std::string& output = "/dev/null");
 
 }  // namespace laver
