@@ -88,7 +88,7 @@ class Run {
     command.insert(command.end(), options_.options.begin(), options_.options.end());
     command.insert(command.end(), more.begin(), more.end());
     const std::string output = scratch_.file("output.txt");
-    ProcessRun run = runProcess(std::move(command), output);
+    ProcessRun run = runProcess(std::move(command), output, options_.stopped);
     result_.output = run.errorOutput + bytesOf(output);
     return run;
   }
@@ -128,7 +128,7 @@ class Run {
     }
     if (!options_.accept) return;
     if (result_.verdict == Verdict::Failed)
-      accept("replaced, it was off: " + (result_.figure ? result_.figure->text() : result_.reason));
+      accept("replaced, before: " + (result_.figure ? result_.figure->text() : result_.reason));
     else
       result_.change = "unchanged";
   }
@@ -136,9 +136,9 @@ class Run {
   void judge(const Image& actual, const Bound& bound) {
     const Image expected = imageOf(test_.expected);
     if (options_.pictures) result_.expected = pngOf(expected);
+    const Measured measured = measure(actual, expected, bound);
     if (actual.window != expected.window)
       throw Error(ExitCode::Usage, "the pictures are different parts of a film");
-    const Measured measured = measure(actual, expected, bound);
     if (options_.pictures)
       result_.difference = encodePng(drawDistances(measured.pixels, actual.width, actual.height));
     result_.figure = Figure{bound, figureOf(measured, bound)};
@@ -157,6 +157,7 @@ class Run {
     replaceFile(test_.expected.string(), std::as_bytes(std::span(bytes)));
     result_.verdict = Verdict::Passed;
     result_.reason.clear();
+    result_.figure.reset();
     result_.change = change;
   }
 

@@ -18,7 +18,7 @@ struct Options {
   bool accept = false;            ///< write expected pictures that are missing or differ
   bool pictures = false;          ///< keep pictures in the results
   std::string skip;               ///< why every test is skipped; empty: none is
-  std::function<bool()> stopped;  ///< whether to start no further test
+  std::function<bool()> stopped;  ///< whether to end
 };
 
 enum class Verdict { Passed, Failed, Skipped };
