@@ -7,7 +7,8 @@
 
 #include "commands/cli_values.h"
 #include "commands/process.h"
-#include "image/compare.h"
+#include "image/measure.h"
+#include "lab/suite/settings.h"
 #include "show/view.h"
 
 namespace laver {
@@ -113,21 +114,13 @@ void addPlan(CLI::App& app, PlanCommand& command) {
   app.add_flag("--json", command.json, "print JSON");
 }
 
-/// FLIP is of all channels together, the others of each.
-std::vector<std::string> metrics() {
-  std::vector<std::string> names;
-  for (const Statistic& statistic : kStatistics) names.emplace_back(statistic.name);
-  names.insert(names.end(), {"rmse", "relmse", "flip", "ldrflip"});
-  return names;
-}
-
 void addCompare(CLI::App& app, CompareCommand& command) {
   app.add_option("A.exr", command.a, "picture")->type_name("")->required();
   app.add_option("B.exr", command.b, "reference")->type_name("")->required();
   app.add_option("--tolerance", command.tolerance,
                  "exit code 5 if the metric of a channel is beyond it");
   app.add_option("--metric", command.metric, "metric that the tolerance bounds")
-      ->check(CLI::IsMember(metrics()));
+      ->check(CLI::IsMember(metricNames()));
   app.add_option("--max-share", command.maxShare,
                  "exit code 5 if a larger share of the pixels is beyond the tolerance")
       ->check(CLI::Range(0.0, 1.0))
@@ -183,6 +176,24 @@ void addChart(CLI::App& app, ChartCommand& command) {
   app.add_flag("-q,--quiet", command.quiet, "print nothing but warnings and errors");
 }
 
+void addTest(CLI::App& app, TestCommand& command) {
+  app.add_option("FOLDER", command.folder, "folder of scenes and tests")->type_name("")->required();
+  addDevice(app, command.vulkan);
+  addThreads(app, command.threads);
+  app.add_flag("--reference", command.reference, "render in double precision on the CPU");
+  app.add_option("--jobs", command.jobs, "tests that run at once")->check(CLI::Range(1U, 1024U));
+  app.add_flag("--accept", command.accept,
+               "write the expected pictures of tests that have none or fail");
+  app.add_flag("--allow-skip", command.allowSkip, "without a Vulkan device, skip tests");
+  app.add_option("--junit", command.junit, "JUnit XML file to write")
+      ->check(isNotEmpty())
+      ->type_name("FILE.xml");
+  app.add_option("--html", command.html, "page with all pictures to write")
+      ->check(isNotEmpty())
+      ->type_name("FILE.html");
+  app.footer(suite::help());
+}
+
 void addSchema(CLI::App& app, SchemaCommand& command) {
   app.add_flag("--json", command.json, "as JSON")
       ->excludes(app.add_flag("--markdown", command.markdown, "as tables of a Markdown document"));
@@ -214,6 +225,8 @@ Job parse(int argc, const char* const* argv) {
   addSubcommand(app, "view", "Shows one or two pictures in a window", addView, job);
   addSubcommand(app, "chart", "Draws speed against accuracy for every way to render a scene",
                 addChart, job);
+  addSubcommand(app, "test", "Compares the scenes of a folder with their expected pictures",
+                addTest, job);
   addSubcommand(app, "devices", "Lists Vulkan devices", addNothing, job);
   addSubcommand(app, "plan", "Prints how a scene would be rendered, what is left out and why",
                 addPlan, job);

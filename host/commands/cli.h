@@ -6,7 +6,7 @@
 namespace laver {
 
 using Job = std::variant<RenderCommand, PlanCommand, CompareCommand, ExplainCommand, ViewCommand,
-                         ChartCommand, DevicesCommand, SchemaCommand, HelpCommand>;
+                         ChartCommand, TestCommand, DevicesCommand, SchemaCommand, HelpCommand>;
 
 /// Parses the command line. Throws Error(Usage) with one line.
 Job parse(int argc, const char* const* argv);

@@ -81,6 +81,18 @@ struct ChartCommand {
   bool quiet = false;
 };
 
+/// `laver test FOLDER`.
+struct TestCommand {
+  std::string folder;
+  VulkanOptions vulkan;
+  unsigned threads = 0;
+  bool reference = false;
+  std::size_t jobs = 1;     ///< tests that run at once
+  bool accept = false;      ///< write expected pictures
+  bool allowSkip = false;   ///< without a device, tests are skipped
+  std::string junit, html;  ///< files to write; empty: none
+};
+
 /// `laver devices`.
 struct DevicesCommand {};
 
@@ -106,6 +118,8 @@ ExitCode run(const ExplainCommand& command);
 /// Throws Error(Device) if no window can be opened.
 ExitCode run(const ViewCommand& command);
 ExitCode run(const ChartCommand& command);
+/// Different where a test fails.
+ExitCode run(const TestCommand& command);
 ExitCode run(const DevicesCommand& command);
 ExitCode run(const SchemaCommand& command);
 ExitCode run(const HelpCommand& command);

@@ -11,34 +11,14 @@
 #include "commands/commands.h"
 #include "commands/process.h"
 #include "image/false_colour.h"
-#include "image/flip.h"
 #include "image/io.h"
+#include "image/measure.h"
 
 namespace laver {
 namespace {
 
-double valueOf(const ChannelDifference& d, const std::string& metric) {
-  if (metric == "rmse") return d.rmse;
-  if (metric == "relmse") return d.relativeMse;
-  const auto row = std::ranges::find(kStatistics, metric, &Statistic::name);
-  return d.distances.*row->value;
-}
-
-/// What was measured.
-struct Compared {
-  std::vector<ChannelDifference> channels;
-  std::optional<Distribution> flip;
-  std::vector<double> flips;  ///< of each pixel
-};
-
-Compared measured(const CompareCommand& command, const Image& a, const Image& b) {
-  const double tolerance = command.tolerance.value_or(0.0);
-  Compared all{compare(a, b, tolerance), {}, {}};
-  if (command.metric == "flip" || command.metric == "ldrflip") {
-    all.flips = command.metric == "flip" ? hdrFlip(a, b) : ldrFlip(a, b);
-    all.flip = distributionOf(all.flips, tolerance);
-  }
-  return all;
+Bound boundOf(const CompareCommand& command) {
+  return {command.metric, command.tolerance.value_or(0.0), command.maxShare};
 }
 
 nlohmann::ordered_json jsonOf(const Distribution& d) {
@@ -49,7 +29,7 @@ nlohmann::ordered_json jsonOf(const Distribution& d) {
 }
 
 /// JSON has no infinity: null.
-std::string textOf(const CompareCommand& command, const Compared& all, bool within) {
+std::string textOf(const CompareCommand& command, const Measured& all, bool within) {
   const double tolerance = command.tolerance.value_or(0.0);
   if (!command.json) {
     std::string text = describe(all.channels, tolerance);
@@ -78,18 +58,6 @@ std::string textOf(const CompareCommand& command, const Compared& all, bool with
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 
-/// Written so that NaN is beyond any tolerance.
-bool isWithin(const CompareCommand& command, const Compared& all) {
-  const double tolerance = command.tolerance.value_or(0.0);
-  const auto holds = [&](const Distribution& distribution, double value) {
-    return command.maxShare ? distribution.share <= *command.maxShare : value <= tolerance;
-  };
-  if (all.flip) return holds(*all.flip, all.flip->mean);
-  return std::ranges::all_of(all.channels, [&](const ChannelDifference& d) {
-    return holds(d.distances, valueOf(d, command.metric));
-  });
-}
-
 /// Creates a folder if needed.
 std::filesystem::path folderFor(const std::string& name) {
   std::error_code error;
@@ -99,14 +67,13 @@ std::filesystem::path folderFor(const std::string& name) {
   return name;
 }
 
-/// Writes FOLDER/difference.exr and .png. The latter shows `flips`, if there are any.
+/// Writes FOLDER/difference.exr and .png. The latter shows `pixels`.
 void writeDifference(const CompareCommand& command, const Image& a, const Image& b,
-                     const std::vector<double>& flips) {
+                     const std::vector<double>& pixels) {
   const std::filesystem::path folder = folderFor(command.out);
   writeExr((folder / "difference.exr").string(), difference(a, b),
            {{"comments", command.a + " minus " + command.b}});
-  writePng((folder / "difference.png").string(),
-           drawDistances(flips.empty() ? largestDistances(a, b) : flips, a.width, a.height));
+  writePng((folder / "difference.png").string(), drawDistances(pixels, a.width, a.height));
 }
 
 /// The largest filter of the two files, in pixels; of files that do not say, that of Nori's.
@@ -173,11 +140,12 @@ ExitCode run(const CompareCommand& command) {
     std::cout << fmt::format("compared where both have pixels: {}x{} from ({}, {})\n", a.width,
                              a.height, a.window.x, a.window.y);
   if (command.noise) return runNoise(command, a, b);
-  const Compared all = measured(command, a, b);
-  const bool within = isWithin(command, all);
+  const Bound bound = boundOf(command);
+  const Measured all = measure(a, b, bound);
+  const bool within = figureOf(all, bound) <= limitOf(bound);
   std::cout << textOf(command, all, within);
   flushStandardOutput();
-  if (!command.out.empty()) writeDifference(command, a, b, all.flips);
+  if (!command.out.empty()) writeDifference(command, a, b, all.pixels);
   return !command.tolerance || within ? ExitCode::Ok : ExitCode::Different;
 }
 

@@ -36,5 +36,6 @@ void writePng(const std::string& file, const Bitmap& bitmap,
 
 /// A PNG file in memory. Throws Error(Output).
 std::vector<std::byte> encodePng(const Bitmap& bitmap);
+std::vector<std::byte> encodePng(const Image& image);
 
 }  // namespace laver

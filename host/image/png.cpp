@@ -194,6 +194,10 @@ std::vector<std::byte> encodePng(const Bitmap& bitmap) {
   return std::move(target.bytes);
 }
 
+std::vector<std::byte> encodePng(const Image& image) {
+  return encodePng(srgbBitmap("PNG in memory", image));
+}
+
 Picture decodePng(std::span<const std::byte> bytes, bool raw) {
   PngReader reader(bytes);
   if (!reader.readHeader()) reader.refuse();

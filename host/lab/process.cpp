@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -9,6 +10,7 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <cstring>
 
 #include "core/error.h"
@@ -16,10 +18,17 @@
 namespace laver {
 namespace {
 
-std::string readToEnd(int descriptor) {
+/// Calls `idle` ten times per second meanwhile.
+template <class Idle>
+std::string readToEnd(int descriptor, Idle idle) {
   std::string text;
   std::array<char, 4096> part;
   for (;;) {
+    pollfd ready{.fd = descriptor, .events = POLLIN, .revents = 0};
+    if (::poll(&ready, 1, 100) <= 0) {
+      idle();
+      continue;
+    }
     const ssize_t count = ::read(descriptor, part.data(), part.size());
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) return text;
@@ -29,7 +38,8 @@ std::string readToEnd(int descriptor) {
 
 }  // namespace
 
-ProcessRun runProcess(std::vector<std::string> arguments) {
+ProcessRun runProcess(std::vector<std::string> arguments, const std::string& output,
+                      const std::function<bool()>& stopped) {
   std::vector<char*> argv;
   argv.reserve(arguments.size() + 1);
   for (std::string& argument : arguments) argv.push_back(argument.data());
@@ -39,7 +49,8 @@ ProcessRun runProcess(std::vector<std::string> arguments) {
     throw Error(ExitCode::Output, fmt::format("no pipe: {}", std::strerror(errno)));
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(),
+                                   O_WRONLY | O_CREAT | O_TRUNC, 0600);
   posix_spawn_file_actions_adddup2(&actions, errors[1], STDERR_FILENO);
   const auto start = std::chrono::steady_clock::now();
   pid_t child = 0;
@@ -47,7 +58,13 @@ ProcessRun runProcess(std::vector<std::string> arguments) {
   posix_spawn_file_actions_destroy(&actions);
   ::close(errors[1]);
   ProcessRun run;
-  if (failed == 0) run.errorOutput = readToEnd(errors[0]);
+  bool ending = false;
+  const auto endIfStopped = [&] {
+    if (ending || !stopped()) return;
+    ending = true;
+    ::kill(child, SIGTERM);
+  };
+  if (failed == 0) run.errorOutput = readToEnd(errors[0], endIfStopped);
   ::close(errors[0]);
   if (failed != 0)
     throw Error(ExitCode::Usage,

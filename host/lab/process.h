@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,10 @@ struct ProcessRun {
   std::string errorOutput;  ///< all of stderr
 };
 
-/// Runs a program, found by PATH, with stdout discarded, and waits until it ends. Throws
-/// Error(Usage) if it cannot be started.
-ProcessRun runProcess(std::vector<std::string> arguments);
+/// Runs a program, found by PATH, with stdout in the file `output`, and waits until it ends; sends
+/// it SIGTERM once `stopped` holds. Throws Error(Usage) if it cannot be started.
+ProcessRun runProcess(
+    std::vector<std::string> arguments, const std::string& output = "/dev/null",
+    const std::function<bool()>& stopped = [] { return false; });
 
 }  // namespace laver

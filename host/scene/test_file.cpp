@@ -195,7 +195,7 @@ bool isTestFile(const std::string& file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return false;
   pugi::xml_document document;
-  if (!document.load_file(file.c_str())) return false;
+  document.load_file(file.c_str());  // on an error, what comes before it
   return std::string_view(document.document_element().name()) == "test";
 }
 

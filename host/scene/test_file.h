@@ -29,7 +29,7 @@ struct TestFile {
   std::vector<std::string> warnings;
 };
 
-/// Whether a regular file has the root <test>.
+/// Whether a regular file has the root <test>; the rest of it need not be well-formed.
 bool isTestFile(const std::string& file);
 
 /// Reads a test file and the files of its scenes. Throws Error(Scene) as loadScene() does.

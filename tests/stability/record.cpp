@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 
+#include "core/base64.h"
 #include "image/io.h"
 
 namespace laver::test {
@@ -14,29 +14,9 @@ namespace {
 
 std::filesystem::path folder() { return std::filesystem::path(LAVER_STABILITY_DIR) / "rows"; }
 
-std::string base64(const std::string& bytes) {
-  static const char* const digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += i + k <= bytes.size() ? digits[group >> (18 - 6 * k) & 63U] : '=';
-  }
-  return text;
-}
-
 /// A PNG as a data URI.
 std::string dataUri(const Bitmap& bitmap) {
-  const auto file = folder() / fmt::format("picture-{}.png", ::getpid());
-  writePng(file.string(), bitmap);
-  std::ifstream in(file, std::ios::binary);
-  const std::string bytes((std::istreambuf_iterator<char>(in)), {});
-  in.close();
-  std::filesystem::remove(file);
-  return "data:image/png;base64," + base64(bytes);
+  return "data:image/png;base64," + base64(encodePng(bitmap));
 }
 
 }  // namespace

@@ -40,6 +40,7 @@ TEST(Cli, EachSubcommandIsAJob) {
   EXPECT_EQ(commandOf<CompareCommand>("compare a.exr b.exr --tolerance 0").tolerance, 0.0);
   EXPECT_EQ(commandOf<ExplainCommand>("explain a.xml --traversal lane").vulkan.traversal, "lane");
   EXPECT_TRUE(commandOf<PlanCommand>("plan a.xml --json").json);
+  EXPECT_EQ(commandOf<TestCommand>("test folder --jobs 3").jobs, 3U);
   EXPECT_EQ(commandOf<ChartCommand>("chart a.xml --runs 3").runs, 3U);
   EXPECT_TRUE(commandOf<SchemaCommand>("schema --json").json);
   EXPECT_TRUE(commandOf<SchemaCommand>("schema --markdown").markdown);

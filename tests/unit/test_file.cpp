@@ -35,7 +35,8 @@ const std::string kDiffuse = "<bsdf type=\"diffuse\"/>";
 TEST_F(TestFiles, AreKnownByTheirRoot) {
   EXPECT_TRUE(isTestFile(folder_.write("t.xml", "<!-- a --><test type=\"ttest\"/>")));
   EXPECT_FALSE(isTestFile(folder_.write("s.xml", "<scene><test/></scene>")));
-  EXPECT_FALSE(isTestFile(folder_.write("b.xml", "<test>")));
+  EXPECT_TRUE(isTestFile(folder_.write("b.xml", "<test type=\"ttest\"><bsdf")));
+  EXPECT_FALSE(isTestFile(folder_.write("e.xml", "")));
   EXPECT_FALSE(isTestFile(folder_.path("none.xml")));
 }
 
