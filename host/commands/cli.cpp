@@ -209,7 +209,11 @@ void addSubcommand(CLI::App& app, const char* name, const char* meaning,
   sub->callback([&job, command] { job = *command; });
 }
 
-void addNothing(CLI::App& /*app*/, DevicesCommand& /*command*/) {}
+void addDevices(CLI::App& app, DevicesCommand& command) {
+  app.add_flag("--check", command.check,
+               "render small scenes on each device by every traversal and compare them with the "
+               "reference; exit code 5 if one is wrong");
+}
 
 }  // namespace
 
@@ -227,7 +231,7 @@ Job parse(int argc, const char* const* argv) {
                 addChart, job);
   addSubcommand(app, "test", "Compares the scenes of a folder with their expected pictures",
                 addTest, job);
-  addSubcommand(app, "devices", "Lists Vulkan devices", addNothing, job);
+  addSubcommand(app, "devices", "Lists Vulkan devices", addDevices, job);
   addSubcommand(app, "plan", "Prints how a scene would be rendered, what is left out and why",
                 addPlan, job);
   addSubcommand(app, "schema", "Lists everything that a scene file may contain", addSchema, job);

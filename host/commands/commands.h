@@ -94,7 +94,9 @@ struct TestCommand {
 };
 
 /// `laver devices`.
-struct DevicesCommand {};
+struct DevicesCommand {
+  bool check = false;  ///< render small scenes on each
+};
 
 /// `laver schema`.
 struct SchemaCommand {

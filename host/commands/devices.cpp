@@ -1,11 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <vector>
 
 #include "commands/commands.h"
 #include "commands/process.h"
+#include "core/error.h"
+#include "lab/device_check.h"
 #include "render/traversal.h"
 #include "vulkan/instance.h"
 
@@ -26,6 +29,35 @@ std::string heaps(const VkPhysicalDeviceMemoryProperties& memory) {
                         local ? " device-local" : "");
   }
   return text;
+}
+
+/// Of one render of a check: most take less than a second.
+constexpr double kSecondsOfACheck = 120.0;
+
+/// Checks all devices that can be used, and prints a line for each picture.
+ExitCode check(const std::vector<DeviceInfo>& devices) {
+  const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
+  std::size_t wrong = 0, used = 0;
+  for (std::size_t i = 0; i < devices.size(); ++i) {
+    const DeviceInfo& device = devices[i];
+    std::cout << fmt::format("{}: {}, {}\n", i, device.name, device.driver);
+    if (const std::string why = rejection(device); !why.empty()) {
+      std::cout << row("cannot be used", why);
+      continue;
+    }
+    ++used;
+    checkDevice(self, i, device, kSecondsOfACheck, [&](const DeviceCheck& done) {
+      wrong += done.right ? 0 : 1;
+      std::cout << fmt::format("   {:<18}{:<7}{:7.2f} s   {}\n", done.name,
+                               done.right ? "right" : "WRONG", done.seconds, done.finding)
+                << std::flush;
+    });
+  }
+  if (used == 0) throw Error(ExitCode::Device, "no device can be used");
+  std::cout << (wrong == 0 ? std::string("all pictures are right\n")
+                           : fmt::format("{} pictures are wrong or missing\n", wrong));
+  flushStandardOutput();
+  return wrong == 0 ? ExitCode::Ok : ExitCode::Different;
 }
 
 }  // namespace
@@ -51,10 +83,11 @@ std::string describe(const DeviceInfo& device, std::size_t index, bool isDefault
   return text + row("memory heaps", heaps(device.memory));
 }
 
-ExitCode run(const DevicesCommand& /*command*/) {
+ExitCode run(const DevicesCommand& command) {
   const Instance instance(false);
   std::vector<DeviceInfo> devices;
   for (const VkPhysicalDevice device : instance.devices()) devices.push_back(deviceInfo(device));
+  if (command.check) return check(devices);
   const bool usable = std::any_of(devices.begin(), devices.end(),
                                   [](const DeviceInfo& d) { return rejection(d).empty(); });
   // chooseDevice() throws if there is no device at all.
