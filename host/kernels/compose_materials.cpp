@@ -16,6 +16,7 @@ std::string numberMember(std::size_t i) { return fmt::format("number{}", i); }
 void materialStruct(const MaterialLayout& layout, Text& text) {
   text.line("struct Material {{");
   text.line("  uint bsdf;");
+  text.line("  vec3 tangent;  // any length");
   for (std::uint32_t i = 0; i < layout.colors; ++i) text.line("  vec3 {};", colorMember(i));
   for (std::uint32_t i = 0; i < layout.numbers; ++i) text.line("  float {};", numberMember(i));
   text.line("}};");
@@ -126,8 +127,15 @@ void materialOf(const TraceKey& key, Text& text) {
   text.line("Material materialOf(Surface s) {{");
   text.line("  Material m;");
   text.line("  m.bsdf = 0u;");
+  text.line("  m.tangent = vec3(0.0);");
   if (key.materials || key.bsdfRecords) {
     readRecord(key, text);
+    if (key.layout.tangents) {
+      const std::uint32_t texels = key.layout.texels();
+      text.line("  const uvec4 frame = texelFetch(materialTexels, int(s.material * {0}u) + {1});",
+                texels, texels - 1);
+      text.line("  if (frame.z != 0u) m.tangent = alongU(s, 3u * (s.id + frame.y));");
+    }
   } else {
     text.line("  m.albedo = params.albedo;");
   }
@@ -157,7 +165,7 @@ void bsdf(const BsdfText& b, Text& text) {
 std::uint32_t MaterialLayout::texels() const {
   const auto references =
       static_cast<std::uint32_t>(std::popcount(texturedColors) + std::popcount(texturedNumbers));
-  return colors + (numbers + 3) / 4 + (references + 3) / 4 + (normalMaps ? 1U : 0U);
+  return colors + (numbers + 3) / 4 + (references + 3) / 4 + (frames() ? 1U : 0U);
 }
 
 std::string materialText(const TraceKey& key) {
@@ -165,6 +173,8 @@ std::string materialText(const TraceKey& key) {
   text.include("bsdf/material.glsl");
   materialStruct(key.layout, text);
   textures(key, text);
+  text.flag("HAS_TANGENTS", key.layout.tangents);
+  if (key.layout.tangents) text.include("texture/along_u.glsl");
   materialOf(key, text);
   bsdfNormal(key, text);
   radianceOf(key, text);

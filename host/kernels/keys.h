@@ -39,8 +39,11 @@ struct BsdfText {
 struct MaterialLayout {
   std::uint32_t colors = 1, numbers = 0;                  ///< the most that a BSDF has
   std::uint32_t texturedColors = 0, texturedNumbers = 0;  ///< bit i: of the i-th one
-  bool normalMaps = false;  ///< the last texel of a record begins with such a reference
+  /// Some mesh has a normal map, or a BSDF that depends on the tangent. The last texel of a record
+  /// then holds a reference to the map, shared::Texture::uvs, and 1 if there is a tangent.
+  bool normalMaps = false, tangents = false;
 
+  bool frames() const { return normalMaps || tangents; }
   std::uint32_t texels() const;
   bool operator==(const MaterialLayout&) const = default;
 };

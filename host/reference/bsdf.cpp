@@ -20,8 +20,8 @@ std::size_t placeOf(const BsdfRow& row, std::string_view property) {
 double luminance(glm::dvec3 color) { return glm::dot(color, {0.212671, 0.715160, 0.072169}); }
 
 // A texture that stands for a number shows its luminance, as in Nori.
-BsdfPoint::BsdfPoint(const Bsdf& b, glm::dvec2 uv, glm::dvec3 unitNormal)
-    : bsdf(b), normal(unitNormal) {
+BsdfPoint::BsdfPoint(const Bsdf& b, glm::dvec2 uv, glm::dvec3 unitNormal, glm::dvec3 tangent)
+    : bsdf(b), normal(unitNormal), along(tangent) {
   for (std::size_t i = 0; i < b.row->properties.size(); ++i) {
     const PropertyRow& property = b.row->properties[i];
     const bool number = property.type == PropertyType::Float;
@@ -41,6 +41,15 @@ glm::dvec3 BsdfPoint::color(std::string_view property) const {
 }
 
 double BsdfPoint::real(std::string_view property) const { return color(property).x; }
+
+glm::dvec3 frameX(glm::dvec3 n, glm::dvec3 tangent) {
+  glm::dvec3 x = tangent - n * glm::dot(n, tangent);
+  if (!(glm::dot(x, x) > 0.0)) {
+    const bool tilted = std::abs(n.x) > std::abs(n.y);
+    x = glm::cross(tilted ? glm::dvec3(n.z, 0.0, -n.x) : glm::dvec3(0.0, n.z, -n.y), n);
+  }
+  return glm::normalize(x);
+}
 
 double fresnel(double cosine, double outside, double inside) {
   if (outside == inside) return 0.0;

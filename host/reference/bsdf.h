@@ -10,11 +10,13 @@ namespace laver::reference {
 /// A point of a surface as BSDFs see it, with the values of the material's properties there.
 class BsdfPoint {
  public:
-  /// At the texture coordinates `uv`.
-  BsdfPoint(const Bsdf& bsdf, glm::dvec2 uv, glm::dvec3 unitNormal);
+  /// At the texture coordinates `uv`. `along`: a tangent of any length (Surface::tangent).
+  BsdfPoint(const Bsdf& bsdf, glm::dvec2 uv, glm::dvec3 unitNormal,
+            glm::dvec3 along = {1.0, 0.0, 0.0});
 
   const Bsdf& bsdf;
   glm::dvec3 normal;  ///< unit shading normal
+  glm::dvec3 along;
 
   /// A colour or a float of the BSDF's row, by name.
   glm::dvec3 color(std::string_view property) const;
@@ -29,6 +31,10 @@ struct BsdfSample {
   glm::dvec3 wo;
   glm::dvec3 weight;
 };
+
+/// The x axis of the frame about a unit normal: across it, along a tangent of any length. Without
+/// one, y is the horizontal direction that Nori takes.
+glm::dvec3 frameX(glm::dvec3 normal, glm::dvec3 tangent);
 
 /// Luminance by ITU-R BT.709, with the digits that Nori has.
 double luminance(glm::dvec3 color);

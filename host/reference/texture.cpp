@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "reference/bsdf.h"
 #include "reference/world.h"
 
 namespace laver::reference {
@@ -53,18 +54,12 @@ glm::dvec3 colorOf(const Texture& texture, glm::dvec2 uv) {
   return texture.row->color(texture, texture.scale * uv + texture.offset);
 }
 
-// In the frame (x, n x x, n), x being the part of the tangent across n. Without one, the frame's y
-// is the horizontal direction that Nori takes.
+// In the frame (x, n x x, n).
 glm::dvec3 bsdfNormal(const Surface& surface) {
   const glm::dvec3 n = surface.shading;
   const Texture* map = surface.mesh->bsdf.texture(kNormalMap);
   if (map == nullptr) return n;
-  glm::dvec3 x = surface.tangent - n * glm::dot(n, surface.tangent);
-  if (!(glm::dot(x, x) > 0.0)) {
-    const bool tilted = std::abs(n.x) > std::abs(n.y);
-    x = glm::cross(tilted ? glm::dvec3(n.z, 0.0, -n.x) : glm::dvec3(0.0, n.z, -n.y), n);
-  }
-  x = glm::normalize(x);
+  const glm::dvec3 x = frameX(n, surface.tangent);
   const glm::dvec3 shown = 2.0 * colorOf(*map, surface.textureUv) - 1.0;
   const glm::dvec3 bent = glm::dmat3(x, glm::cross(n, x), n) * shown;
   const double length = glm::length(bent);

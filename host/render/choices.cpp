@@ -175,7 +175,7 @@ Uploads uploadsOf(const Scene& scene, const Normalisation& space,
     uploads.normals |= key.normals;
     uploads.attributes |= key.normals || key.materials;
     uploads.materials |= key.bsdfRecords || key.materials;
-    uploads.textures |= !key.textures.empty();
+    uploads.textures |= !key.textures.empty() || (key.bsdfRecords && key.layout.tangents);
     uploads.lights |= key.lights;
     uploads.emission |= picture.integrator.row->needs.emitters;
     uploads.jumpLevels = std::max(uploads.jumpLevels, key.jumpLevels);

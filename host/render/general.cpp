@@ -23,7 +23,7 @@ namespace {
 MaterialLayout allTextured(MaterialLayout layout) {
   layout.texturedColors = (1U << layout.colors) - 1;
   layout.texturedNumbers = (1U << layout.numbers) - 1;
-  layout.normalMaps = true;
+  layout.normalMaps = layout.tangents = true;
   return layout;
 }
 

@@ -82,6 +82,7 @@ MaterialLayout layoutOf(const Scene& scene) {
     layout.texturedNumbers |= texturedOf(mesh.bsdf, PropertyType::Float);
     const Texture* map = mesh.bsdf.texture(kNormalMap);
     layout.normalMaps |= map != nullptr && shows(*map);
+    layout.tangents |= usesTangent(mesh.bsdf);
   }
   return layout;
 }
@@ -111,7 +112,8 @@ glm::dvec3 albedoOf(const Mesh& mesh) {
 
 std::vector<std::uint32_t> recordOf(const Bsdf& bsdf, const MaterialLayout& layout,
                                     const std::vector<BsdfText>& bsdfs,
-                                    const std::function<std::uint32_t(const Texture&)>& placeOf) {
+                                    const std::function<std::uint32_t(const Texture&)>& placeOf,
+                                    std::uint32_t uvs) {
   std::vector<glm::dvec3> colors = colorsOf(bsdf);
   std::vector<double> numbers = numbersOf(bsdf);
   colors.resize(layout.colors, glm::dvec3(1.0));
@@ -137,9 +139,11 @@ std::vector<std::uint32_t> recordOf(const Bsdf& bsdf, const MaterialLayout& layo
   refer(PropertyType::Color, layout.texturedColors);
   refer(PropertyType::Float, layout.texturedNumbers);
   alignToTexel(words);
-  if (layout.normalMaps) {
+  if (layout.frames()) {
     const Texture* map = bsdf.texture(kNormalMap);
     words.push_back(map != nullptr && shows(*map) ? placeOf(*map) + 1 : shared::TEXTURE_NONE);
+    words.push_back(uvs);
+    words.push_back(usesTangent(bsdf) ? 1 : 0);
     alignToTexel(words);
   }
   return words;

@@ -31,9 +31,11 @@ bool alike(const Mesh& a, const Mesh& b);
 glm::dvec3 albedoOf(const Mesh& mesh);
 
 /// The record of a mesh, whose BSDF is numbered by its place in `bsdfs`. `placeOf` says where in
-/// their array a texture stands.
+/// their array a texture stands, `uvs` where the mesh's texture coordinates do
+/// (shared::Texture::uvs).
 std::vector<std::uint32_t> recordOf(const Bsdf& bsdf, const MaterialLayout& layout,
                                     const std::vector<BsdfText>& bsdfs,
-                                    const std::function<std::uint32_t(const Texture&)>& placeOf);
+                                    const std::function<std::uint32_t(const Texture&)>& placeOf,
+                                    std::uint32_t uvs);
 
 }  // namespace laver

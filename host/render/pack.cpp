@@ -47,9 +47,9 @@ class MeshPacker {
   std::uint32_t addMaterial(const Mesh& mesh) {
     if (uploads_.textures) textures_.beginMesh(mesh, nextId_);
     if (uploads_.materials) {
-      const auto record =
-          recordOf(mesh.bsdf, uploads_.layout, uploads_.bsdfs,
-                   [&](const Texture& texture) { return textures_.addRecord(texture); });
+      const auto record = recordOf(
+          mesh.bsdf, uploads_.layout, uploads_.bsdfs,
+          [&](const Texture& texture) { return textures_.addRecord(texture); }, textures_.uvs());
       packed_.materials.insert(packed_.materials.end(), record.begin(), record.end());
     }
     if (uploads_.emission) packed_.emission.push_back(emissionOf(mesh));

@@ -30,7 +30,7 @@ glm::dvec2 wholePeriods(const Mesh& mesh, glm::dvec2 uv) {
 }  // namespace
 
 void TexturePacker::beginMesh(const Mesh& mesh, std::uint32_t firstId) {
-  textured_ = hasTextures(mesh);
+  textured_ = hasTextures(mesh) || usesTangent(mesh.bsdf);
   uvs_ = static_cast<std::uint32_t>(packed_.uvs.size() / 3) - firstId;
 }
 

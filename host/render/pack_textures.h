@@ -15,6 +15,9 @@ class TexturePacker {
   /// `firstId`.
   void beginMesh(const Mesh& mesh, std::uint32_t firstId);
 
+  /// shared::Texture::uvs of the mesh.
+  std::uint32_t uvs() const { return uvs_; }
+
   /// Adds the record of a texture; returns its place.
   std::uint32_t addRecord(const Texture& texture);
 

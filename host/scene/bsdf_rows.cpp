@@ -82,11 +82,6 @@ PropertyRow baseColor() {
   return row;
 }
 
-/// Anything but 0 is refused.
-PropertyRow anisotropic() {
-  return real("anisotropic", 0.0, "laver has the isotropic form only", fromTo(0.0, 0.0));
-}
-
 const glm::dvec3 kGoldEta(0.143, 0.375, 1.442), kGoldK(3.983, 2.386, 1.603);
 const glm::dvec3 kCopperEta(0.200, 0.924, 1.102), kCopperK(3.913, 2.452, 2.142);
 const glm::dvec3 kChromeEta(4.370, 2.917, 1.655), kChromeK(5.206, 4.231, 3.755);
@@ -192,11 +187,12 @@ const BsdfRow disney{
                         atLeast(0.0)),
                    share("specularTint", 0.0, "share of the base colour's hue in it"),
                    share("roughness", 0.5, "square root of the distribution's alpha"),
-                   anisotropic(),
+                   share("anisotropic", 0.0, "how much longer highlights are along the tangent"),
                    real("sheen", 0.0, "diffuse reflection added at grazing angles", atLeast(0.0)),
                    share("sheenTint", 0.0, "share of the base colour's hue in it"),
                    real("clearcoat", 0.0, "strength of a clear coat", atLeast(0.0)),
                    share("clearcoatGloss", 0.0, "0: satin, 1: glossy")},
+    .anisotropy = "anisotropic",
     .eval = reference::disneyEval,
     .pdf = reference::disneyPdf,
     .sample = reference::disneySample};

@@ -35,6 +35,11 @@ void Bsdf::show(std::string_view property, Texture shown) {
     textures.push_back({std::string(property), std::move(shown)});
 }
 
+bool usesTangent(const Bsdf& bsdf) {
+  const char* name = bsdf.row->anisotropy;
+  return name != nullptr && (bsdf.texture(name) != nullptr || bsdf.real(name) != 0.0);
+}
+
 std::vector<const PropertyRow*> propertiesOf(const BsdfRow& row, PropertyType type) {
   std::vector<const PropertyRow*> found;
   for (const PropertyRow& property : row.properties)

@@ -40,6 +40,8 @@ struct BsdfRow {
   const BsdfRow* ofMaterial = nullptr;  ///< the BSDF that is meant where a material is named
   bool delta = false;                   ///< reflects in single directions: eval and pdf are 0
   bool transmissive = false;            ///< light goes through
+  /// A number that makes it depend on the tangent where it is not 0; or nullptr.
+  const char* anisotropy = nullptr;
   /// The BSDF for two unit directions.
   glm::dvec3 (*eval)(const reference::BsdfPoint& point, glm::dvec3 wi, glm::dvec3 wo) = nullptr;
   /// Density per solid angle of the directions of sample().
@@ -96,6 +98,9 @@ struct Bsdf {
   /// Lets a texture stand for a property.
   void show(std::string_view property, Texture texture);
 };
+
+/// Whether a BSDF depends on the tangent of the surface.
+bool usesTangent(const Bsdf& bsdf);
 
 /// A row's properties of one type, in its order.
 std::vector<const PropertyRow*> propertiesOf(const BsdfRow& row, PropertyType type);

@@ -120,6 +120,25 @@ TEST(NormalMaps, KernelsSpecialisedOrNotGiveTheSameBits) {
   EXPECT_EQ(differingFloats(render(scene), render(scene, generic)), 0U);
 }
 
+TEST(Anisotropy, FollowsTheTextureCoordinatesOfEachMesh) {
+  Scene scene = sheet();
+  Mesh ball, plain = square(0.4, 0.3);
+  ball.sphere = Sphere{{-0.3, 0.2, 0.8}, 0.5};
+  scene.meshes.push_back(ball);
+  scene.meshes.push_back(plain);
+  for (Mesh& mesh : scene.meshes) {
+    mesh.bsdf = {.row = rowCalled(bsdfRows(), "disney")};
+    mesh.bsdf.set("metallic", 1.0);
+    mesh.bsdf.set("roughness", 0.7);
+  }
+  const Image isotropic = render(scene);
+  for (std::size_t i = 0; i < 2; ++i) scene.meshes[i].bsdf.set("anisotropic", 0.9);
+  expectTraversalsMatch(scene, kTolerance);
+  EXPECT_GT(differingFloats(isotropic, render(scene)), isotropic.pixels.size() / 4);
+  scene.meshes[0].bsdf.show(kNormalMap, bumpMap());
+  expectTraversalsMatch(scene, kTolerance);
+}
+
 /// A square below a lamp, a glowing sphere and a smooth glowing mesh, which show textures.
 Scene glowing(const char* integrator) {
   Scene scene = sheet();

@@ -55,6 +55,7 @@ std::vector<Values> variantsOf(const std::string& name) {
   if (name == "disney")
     return {{{"metallic", 1.0}, {"roughness", 0.4}},
             {{"clearcoat", 1.0}, {"clearcoatGloss", 0.3}, {"specularTint", 0.5}},
+            {{"metallic", 1.0}, {"roughness", 0.6}, {"anisotropic", 0.7}},
             {{"subsurface", 0.6}, {"sheen", 0.5}, {"sheenTint", 0.5}, {"roughness", 0.8}}};
   if (name == "roughconductor") return {{{"alpha", 0.4}}};
   if (name == "microfacet_dielectric") return {{{"alpha", 0.4}}, {{"intIOR", 0.8}, {"alpha", 0.2}}};

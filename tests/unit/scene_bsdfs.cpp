@@ -35,8 +35,8 @@ TEST_F(SceneBsdfs, BadValuesAreErrors) {
             "f.xml:3:2: error: metallic must be 0 to 1, found 2");
   EXPECT_EQ(errorOf("disney", "float", "sheen", "-1"),
             "f.xml:3:2: error: sheen must be at least 0, found -1");
-  EXPECT_EQ(errorOf("disney", "float", "anisotropic", "0.5"),
-            "f.xml:3:2: error: anisotropic must be 0, found 0.5");
+  EXPECT_EQ(errorOf("disney", "float", "anisotropic", "1.5"),
+            "f.xml:3:2: error: anisotropic must be 0 to 1, found 1.5");
   EXPECT_EQ(errorOf("microfacet_conductor", "color", "intIOR", "1 0 1"),
             "f.xml:3:2: error: intIOR must be more than 0, found 1 0 1");
   EXPECT_EQ(errorOf("microfacet_conductor", "color", "intK", "1 -1 1"),

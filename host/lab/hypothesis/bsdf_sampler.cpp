@@ -22,7 +22,7 @@ Scene sceneOf(const std::vector<Bsdf>& bsdfs) {
   Scene scene;
   for (const Bsdf& bsdf : bsdfs) {
     Mesh& mesh = scene.meshes.emplace_back();
-    mesh.positions = {{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {1.0, 0.0, 0.0}};
+    mesh.positions = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {1.0, 1.0, 0.0}};  // u along +x
     mesh.uvs = {{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}};
     mesh.triangles = {{0, 1, 2}};
     mesh.bsdf = bsdf;

@@ -19,7 +19,7 @@ glm::dvec3 directWhitted(const CameraSample& sample) {
   Surface surface = sample.world.surface(*sample.hit);
   surface.shading = bsdfNormal(surface);
   if (glm::dot(surface.shading, -sample.direction) <= 0.0) return sum;
-  const BsdfPoint point(surface.mesh->bsdf, surface.textureUv, surface.shading);
+  const BsdfPoint point(surface.mesh->bsdf, surface.textureUv, surface.shading, surface.tangent);
   const glm::dvec3 wi = glm::normalize(-sample.direction);
   for (const PointLight& light : sample.world.lights()) {
     const LightSample arriving = light.row->sample(light, surface.position, sample.world.extent());

@@ -76,7 +76,7 @@ glm::dvec3 path(const CameraSample& sample, const Rules& rules) {
 
     const auto dimension = static_cast<std::uint32_t>(2 + 3 * bounce);
     const glm::dvec2 choices = sample.numbers.pair(dimension);
-    const BsdfPoint point(surface.mesh->bsdf, surface.textureUv, surface.shading);
+    const BsdfPoint point(surface.mesh->bsdf, surface.textureUv, surface.shading, surface.tangent);
     if (rules.sources)
       radiance += throughput * fromSources(sample, rules, point, surface, wi, choices.x,
                                            sample.numbers.pair(dimension + 1));
