@@ -40,8 +40,8 @@ Scene sceneOfBsdfs(bool all) {
   return scene;
 }
 
-/// Trace kernels of every integrator and layer for every traversal, with every feature of scenes,
-/// and gather kernels for every filter.
+/// Trace kernels of every integrator and layer for every traversal of its own, with every feature
+/// of scenes, and gather kernels for every filter.
 std::vector<LintedKernel> everyKernel() {
   std::vector<LintedKernel> kernels;
   std::vector<std::string> integrators = {"centres", "shading_normal", "albedo"};
@@ -49,6 +49,9 @@ std::vector<LintedKernel> everyKernel() {
   const char* samplerOf[] = {"independent", "stratified", "sobol"};
   for (const std::string& integrator : integrators)
     for (const Traversal traversal : {Traversal::Lane, Traversal::Packet32, Traversal::Packet64}) {
+      const IntegratorRow* const row = rowCalled(integratorRows(), integrator);
+      const bool bounces = row != nullptr && row->bounces;
+      if (bounces && isPacket(traversal)) continue;  // paths go by lane (render/choices.cpp)
       TraceKey key;
       key.integrator = integrator;
       key.traversal = traversal;
@@ -64,7 +67,9 @@ std::vector<LintedKernel> everyKernel() {
       key.normals = key.materials = key.bsdfRecords = key.spheres = key.lights = true;
       key.caps = key.farParts = key.slivers = key.farCamera = true;
       key.manyLights = key.byteImages = key.floatImages = true;
-      if (const IntegratorRow* row = rowCalled(integratorRows(), integrator))
+      key.emission = key.texturedLights = bounces;
+      key.layout.normalMaps = key.layout.tangents = scene.meshes.size() > 1;
+      if (row != nullptr)
         for (const PropertyRow& property : row->properties)
           key.properties.push_back({isTriple(property.type) ? "vec3" : "float", property.name, ""});
       if (integrator == integrators::depth.name) key.camera = cameras::thinlens.name;
