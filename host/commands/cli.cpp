@@ -76,6 +76,7 @@ void addSceneCommand(CLI::App& app, SceneCommand& command) {
   addNames(app, "--layers", "layers of the EXR file: " + namesOf(layerRows(), ", "),
            namesIn(layerRows()), [&options](const Rows<LayerRow>& all) { options.layers = all; });
   addCrop(app, options.crop);
+  addShard(app, options.shard);
   addDevice(app, command.vulkan);
   app.add_flag("--nori-compat", options.noriCompat,
                "as Nori: filter weights from a table, 8-bit pictures read as linear");
@@ -140,6 +141,17 @@ void addCompare(CLI::App& app, CompareCommand& command) {
   app.add_option("--out", command.out, "folder for difference.exr and difference.png")
       ->check(isNotEmpty())
       ->type_name("DIR");
+}
+
+void addMerge(CLI::App& app, MergeCommand& command) {
+  app.add_option("PARTS.exr", command.parts, "all parts, which --shard wrote")
+      ->type_name("")
+      ->required();
+  app.add_option("-o,--output,--outfile", command.output,
+                 "picture to write, with a .png of the same name")
+      ->check(isNotEmpty())
+      ->type_name("OUT.exr")
+      ->required();
 }
 
 void addExplain(CLI::App& app, ExplainCommand& command) {
@@ -224,6 +236,7 @@ Job parse(int argc, const char* const* argv) {
   addRender(app, render);
   Job job;
   addSubcommand(app, "compare", "Measures how a picture differs from another", addCompare, job);
+  addSubcommand(app, "merge", "Joins the parts of a picture that --shard rendered", addMerge, job);
   addSubcommand(app, "explain", "Renders a scene and explains each difference from the reference",
                 addExplain, job);
   addSubcommand(app, "view", "Shows one or two pictures in a window", addView, job);

@@ -5,8 +5,9 @@
 
 namespace laver {
 
-using Job = std::variant<RenderCommand, PlanCommand, CompareCommand, ExplainCommand, ViewCommand,
-                         ChartCommand, TestCommand, DevicesCommand, SchemaCommand, HelpCommand>;
+using Job = std::variant<RenderCommand, PlanCommand, CompareCommand, MergeCommand, ExplainCommand,
+                         ViewCommand, ChartCommand, TestCommand, DevicesCommand, SchemaCommand,
+                         HelpCommand>;
 
 /// Parses the command line. Throws Error(Usage) with one line.
 Job parse(int argc, const char* const* argv);

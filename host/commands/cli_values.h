@@ -62,8 +62,7 @@ template <class T, class Take>
 void addName(CLI::App& app, const std::string& option, const std::string& meaning,
              const Names<T>& names, Take take) {
   app.add_option_function<std::string>(
-         option, [=](const std::string& name) { take(*names.find(name)); },
-         meaning + names.all)
+         option, [=](const std::string& name) { take(*names.find(name)); }, meaning + names.all)
       ->check(isOneOf(names))
       ->type_name("NAME");
 }
@@ -112,6 +111,22 @@ inline void addCrop(CLI::App& app, std::optional<Crop>& crop) {
                                        "render pixels x0 <= x < x1, y0 <= y < y1 only")
       ->check(hasForm("-?[0-9]{1,9}(,-?[0-9]{1,9}){3}", "x0,y0,x1,y1"))
       ->type_name("x0,y0,x1,y1");
+}
+
+inline void addShard(CLI::App& app, std::optional<Shard>& shard) {
+  const auto read = [&shard](const std::string& text) {
+    Shard s{};
+    char slash = 0;
+    std::istringstream(text) >> s.index >> slash >> s.count;
+    if (s.index >= s.count)
+      throw CLI::ValidationError("--shard",
+                                 "expected I/N, I from 0 to N - 1, not \"" + text + "\"");
+    shard = s;
+  };
+  app.add_option_function<std::string>(
+         "--shard", read, "render part I of N, I from 0, which laver merge joins with the others")
+      ->check(hasForm("[0-9]{1,9}/[0-9]{1,9}", "I/N, two numbers"))
+      ->type_name("I/N");
 }
 
 }  // namespace laver

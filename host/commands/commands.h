@@ -57,6 +57,12 @@ struct CompareCommand {
   NoiseLimits limits;  ///< of that test
 };
 
+/// `laver merge PARTS... -o OUT.exr`.
+struct MergeCommand {
+  std::vector<std::string> parts;  ///< files
+  std::string output;
+};
+
 /// `laver explain SCENE.xml`.
 struct ExplainCommand {
   std::string scene;
@@ -116,6 +122,7 @@ ExitCode run(const RenderCommand& command);
 ExitCode runTestFile(const RenderCommand& command);
 ExitCode run(const PlanCommand& command);
 ExitCode run(const CompareCommand& command);
+ExitCode run(const MergeCommand& command);
 ExitCode run(const ExplainCommand& command);
 /// Throws Error(Device) if no window can be opened.
 ExitCode run(const ViewCommand& command);

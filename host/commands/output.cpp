@@ -52,19 +52,43 @@ glm::dmat4 cameraToNdc(const Camera& camera) {
   return m;
 }
 
-/// Where a picture lies without -o: beside the scene, if that is a file.
-std::filesystem::path besideScene(const std::string& scene) {
+/// Where a picture, or a shard of it, lies without -o: beside the scene, if that is a file.
+std::filesystem::path besideScene(const std::string& scene, const std::optional<Shard>& shard) {
   std::error_code error;
   const std::string folder = std::filesystem::absolute(scene, error).parent_path().string() + "/";
   if (!std::filesystem::is_regular_file(scene, error) || folder.starts_with("/dev/") ||
       folder.starts_with("/proc/"))
     throw Error(ExitCode::Usage,
                 fmt::format("-o OUT.exr is needed: no picture can lie beside \"{}\"", scene));
-  return std::filesystem::path(scene).replace_extension(".exr");
+  const std::string extension =
+      shard ? fmt::format(".{}-of-{}.exr", shard->index, shard->count) : ".exr";
+  return std::filesystem::path(scene).replace_extension(extension);
 }
 
 /// Throws if a picture would replace a file that the scene is made of.
 void checkNotOfScene(const std::filesystem::path& picture, const Scene& scene) {
+  for (const std::filesystem::path& file : filesOf(scene)) {
+    std::error_code error;
+    if (std::filesystem::equivalent(file, picture, error))
+      throw Error(ExitCode::Usage,
+                  fmt::format("\"{}\" would be replaced, and the scene reads it: -o names another",
+                              picture.string()));
+  }
+}
+
+/// The PNG of a picture.
+std::filesystem::path pngOf(std::filesystem::path exr) { return exr.replace_extension(".png"); }
+
+/// Throws unless the name ends in .exr.
+void checkIsExr(const std::filesystem::path& exr) {
+  if (exr.extension() != ".exr")
+    throw Error(ExitCode::Usage,
+                fmt::format("-o {}: expected a name that ends in .exr", exr.string()));
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> filesOf(const Scene& scene) {
   std::vector<std::string> names = {scene.file};
   if (scene.environment) names.push_back(scene.environment->filename);
   for (const Mesh& mesh : scene.meshes) {
@@ -72,30 +96,31 @@ void checkNotOfScene(const std::filesystem::path& picture, const Scene& scene) {
     for (const NamedTexture& named : mesh.bsdf.textures) names.push_back(named.texture.filename);
     if (mesh.light && mesh.light->texture) names.push_back(mesh.light->texture->filename);
   }
-  for (const std::string& name : names) {
-    std::error_code error;
-    if (!name.empty() &&
-        std::filesystem::equivalent(xml::findFile(scene.file, name), picture, error))
-      throw Error(ExitCode::Usage,
-                  fmt::format("\"{}\" would be replaced, and the scene reads it: -o names another",
-                              picture.string()));
-  }
+  std::vector<std::filesystem::path> files;
+  for (const std::string& name : names)
+    if (!name.empty()) files.push_back(xml::findFile(scene.file, name));
+  return files;
 }
 
-}  // namespace
+std::filesystem::path pictureFile(const std::filesystem::path& exr) {
+  checkIsExr(exr);
+  checkReplaceable(exr.string());
+  checkReplaceable(pngOf(exr).string());
+  return exr;
+}
 
 void print(const RenderCommand& command, const std::string& text) {
   if (!command.quiet) std::cout << text;
 }
 
 std::filesystem::path outputOf(const RenderCommand& command, const Scene& scene) {
-  const std::filesystem::path exr =
-      command.output.empty() ? besideScene(command.scene) : std::filesystem::path(command.output);
-  if (exr.extension() != ".exr")
-    throw Error(ExitCode::Usage,
-                fmt::format("-o {}: expected a name that ends in .exr", exr.string()));
-  const std::filesystem::path png = std::filesystem::path(exr).replace_extension(".png");
-  for (const auto& file : {exr, png}) {
+  const std::filesystem::path exr = command.output.empty()
+                                        ? besideScene(command.scene, command.options.shard)
+                                        : std::filesystem::path(command.output);
+  checkIsExr(exr);
+  std::vector<std::filesystem::path> files = {exr};
+  if (!command.options.shard) files.push_back(pngOf(exr));
+  for (const auto& file : files) {
     checkReplaceable(file.string());
     checkNotOfScene(file, scene);
   }
@@ -132,7 +157,7 @@ Metadata metadataOf(const Scene& scene, const Rendered& rendered, const Stats& s
 
 void writePictures(const std::filesystem::path& exr, const Image& image, const Metadata& metadata,
                    unsigned threads) {
-  const std::string png = std::filesystem::path(exr).replace_extension(".png").string();
+  const std::string png = pngOf(exr).string();
   auto pngDone = std::async(kBeside, [&] { writePng(png, image); });
   writeExr(exr.string(), image, metadata, threads);
   pngDone.get();

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "commands/commands.h"
 #include "image/io.h"
@@ -17,6 +18,13 @@ void print(const RenderCommand& command, const std::string& text);
 /// written, and that the picture replaces no file of the scene. Throws Error(Usage) or
 /// Error(Output).
 std::filesystem::path outputOf(const RenderCommand& command, const Scene& scene);
+
+/// The files that a scene was read from, itself first.
+std::vector<std::filesystem::path> filesOf(const Scene& scene);
+
+/// A name that -o gives, after checking that the picture and its PNG can be written. Throws
+/// Error(Usage) or Error(Output).
+std::filesystem::path pictureFile(const std::filesystem::path& exr);
 
 /// The attributes of a picture's EXR file. For an incomplete picture they include how many samples
 /// per pixel were requested, and how many rows hold some and all of them.

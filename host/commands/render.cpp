@@ -9,6 +9,7 @@
 #include "commands/commands.h"
 #include "commands/observers.h"
 #include "commands/output.h"
+#include "commands/parts.h"
 #include "commands/process.h"
 #include "commands/resume.h"
 #include "commands/scene_command.h"
@@ -53,15 +54,15 @@ std::unique_ptr<Renderer> startRenderer(const RenderCommand& command) {
 }
 
 /// The viewer and the window that the command requests; `viewed` may be null.
-std::vector<std::unique_ptr<Observer>> viewersOf(const RenderCommand& command, const Camera& camera,
+std::vector<std::unique_ptr<Observer>> viewersOf(const RenderCommand& command, const Scene& scene,
                                                  const std::string& name, ViewedPictures* viewed) {
   std::vector<std::unique_ptr<Observer>> viewers;
   if (command.displayServer)
     viewers.push_back(std::make_unique<TevClient>(*command.displayServer, name));
-  const Crop core = coreOf(camera, command.options);
+  const Crop core = coreOf(scene.camera, command.options);
   if (viewed != nullptr)
-    viewers.push_back(
-        std::make_unique<WindowReport>(*viewed, name, core.x1 - core.x0, core.y1 - core.y0));
+    viewers.push_back(std::make_unique<WindowReport>(*viewed, name, core.x1 - core.x0,
+                                                     rowsOf(stripsOf(scene, command.options))));
   return viewers;
 }
 
@@ -97,6 +98,7 @@ Ended renderWith(Renderer* renderer, const Scene& scene, const RenderOptions& op
   }
   ended.seconds = since(start);
   const Crop core = coreOf(scene.camera, options);
+  if (options.shard) return ended;  // its rows are no window of the film
   ended.rendered.image.window = {core.x0, core.y0, scene.camera.width, scene.camera.height};
   return ended;
 }
@@ -116,10 +118,13 @@ std::string write(const RenderCommand& command, const Scene& scene,
                   const std::filesystem::path& wanted, const Ended& ended) {
   const Rendered& rendered = ended.rendered;
   const auto exr = fileOf(rendered, wanted);
+  const Metadata metadata = metadataOf(scene, rendered, ended.stats, ended.seconds);
   print(command, fmt::format("Writing a {}x{} OpenEXR file to \"{}\"\n", rendered.image.width,
                              rendered.image.height, exr.string()));
-  writePictures(exr, rendered.image, metadataOf(scene, rendered, ended.stats, ended.seconds),
-                command.options.threads);
+  if (command.options.shard)
+    writePart(exr, command, scene, rendered, ended.state.settings, metadata);
+  else
+    writePictures(exr, rendered.image, metadata, command.options.threads);
   const bool countFree = scene.sampler.row->countFree;
   return leaveState(command, statePath(wanted), ended.state,
                     !rendered.whole() || (command.resume && countFree));
@@ -146,7 +151,9 @@ ExitCode run(const RenderCommand& command, ViewedPictures* viewed) {
   if (Interruption::noted()) throw interrupted(kNothing);
 
   FilmState state = stateOf(command, statePath(exr), scene.camera);
-  const auto viewers = viewersOf(command, scene.camera, exr.string(), viewed);
+  if (command.options.shard && command.reference)
+    state.settings = settingsOfReference(command, scene);
+  const auto viewers = viewersOf(command, scene, exr.string(), viewed);
   print(command, "Configuration: " + describe(scene) + "\nRendering .. ");
   flushStandardOutput();  // fail before a long render rather than after it
   Progress progress(!command.quiet);
@@ -177,7 +184,10 @@ ExitCode run(const RenderCommand& command, ViewedPictures* viewed) {
 }  // namespace
 
 ExitCode run(const RenderCommand& command) {
-  if (isTestFile(command.scene)) return runTestFile(command);
+  if (isTestFile(command.scene)) {
+    if (command.options.shard) throw Error(ExitCode::Usage, "--shard: a test has no parts");
+    return runTestFile(command);
+  }
   if (!command.gui) return run(command, nullptr);
   return runInWindow(command.scene + " - laver",
                      [&](ViewedPictures& viewed) { return run(command, &viewed); });

@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "render/sample_map.h"
+#include "render/strips.h"
 
 namespace laver {
 namespace {
@@ -27,6 +28,11 @@ void checkOptions(const RenderOptions& options, const Scene& scene) {
     throw Error(ExitCode::Usage,
                 fmt::format("--crop {},{},{},{}: expected 0 <= x0 < x1 <= {}, 0 <= y0 < y1 <= {}",
                             crop->x0, crop->y0, crop->x1, crop->y1, camera.width, camera.height));
+  const Crop core = coreOf(camera, options);
+  if (const auto& shard = options.shard; shard && shard->count > core.y1 - core.y0)
+    throw Error(ExitCode::Usage,
+                fmt::format("--shard {}: a picture of {} rows has that many parts at most",
+                            textOf(*shard), core.y1 - core.y0));
   if (options.error != 0.0 && maxSamplesOf(scene.sampler) == 0)
     throw Error(
         ExitCode::Usage,
@@ -69,8 +75,9 @@ std::size_t layerChannels(const RenderOptions& options) {
 
 /// Checks that the picture and its files fit in memory: 20 bytes per pixel, measured at 16384 x
 /// 16384. Sums that are kept take 32 more, and their file as many again.
-void checkMemory(const RenderCommand& command, const Camera& camera) {
-  const Crop film = coreOf(camera, command.options);
+void checkMemory(const RenderCommand& command, const Scene& scene) {
+  const Crop core = coreOf(scene.camera, command.options);
+  const int width = core.x1 - core.x0, rows = rowsOf(stripsOf(scene, command.options));
   // Layers: 4 bytes per channel, the same again while they are joined, and again for the file.
   // Sums of variances are 128 bytes.
   const std::uint64_t sums = asks(command.options.layers, layers::variance) ? 128 : 0;
@@ -78,14 +85,14 @@ void checkMemory(const RenderCommand& command, const Camera& camera) {
                               12 * layerChannels(command.options) +
                               (command.displayServer ? 12 : 0) +
                               (command.gui ? 12 + 4 * layerChannels(command.options) : 0);
-  const std::uint64_t needed = bytes * static_cast<std::uint64_t>(film.x1 - film.x0) *
-                               static_cast<std::uint64_t>(film.y1 - film.y0);
+  const std::uint64_t needed =
+      bytes * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(rows);
   const std::uint64_t available = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
                                   static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
   if (needed > available)
     throw Error(ExitCode::Device,
                 fmt::format("a film of {}x{} pixels needs {} MiB of memory, the machine has {}",
-                            film.x1 - film.x0, film.y1 - film.y0, needed >> 20, available >> 20));
+                            width, rows, needed >> 20, available >> 20));
 }
 
 void warnOfMissingUvs(const RenderOptions& options, const Scene& scene) {
@@ -114,7 +121,7 @@ void checkRender(const RenderCommand& command, const Scene& scene) {
   warnOfMissingUvs(command.options, scene);
   checkError(command);
   checkVariance(command, scene);
-  checkMemory(command, scene.camera);
+  checkMemory(command, scene);
 }
 
 }  // namespace laver

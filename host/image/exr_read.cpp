@@ -1,8 +1,11 @@
 #include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFloatAttribute.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfInputPart.h>
+#include <OpenEXR/ImfIntAttribute.h>
+#include <OpenEXR/ImfMatrixAttribute.h>
 #include <OpenEXR/ImfMultiPartInputFile.h>
 #include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfRgbaFile.h>
@@ -57,6 +60,14 @@ Image decodeChroma(const std::string& file, Image image) {
   for (const Imf::Rgba& p : pixels)
     image.pixels.insert(image.pixels.end(), {float{p.r}, float{p.g}, float{p.b}});
   return image;
+}
+
+/// EXR multiplies row vectors from the left, so row i of its matrix is glm's column i.
+glm::dmat4 glmOf(const Imath::M44f& rows) {
+  glm::dmat4 matrix;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) matrix[i][j] = static_cast<double>(rows[i][j]);
+  return matrix;
 }
 
 Image decode(const std::string& file) {
@@ -114,19 +125,37 @@ Image readExr(const std::string& file) {
   throw Error(ExitCode::Usage, fmt::format("cannot read \"{}\": {}", file, reason));
 }
 
-std::map<std::string, std::string> readExrTexts(const std::string& file) {
+Metadata readExrMetadata(const std::string& file) {
   try {
     const Imf::InputFile input(file.c_str());
     const Imf::Header& header = input.header();
-    std::map<std::string, std::string> texts;
+    Metadata all;
     for (auto attribute = header.begin(); attribute != header.end(); ++attribute) {
-      const auto* text = dynamic_cast<const Imf::StringAttribute*>(&attribute.attribute());
-      if (text != nullptr) texts[attribute.name()] = text->value();
+      const std::string name = attribute.name();
+      if (name == "name" || name == "type" || name == "pixelAspectRatio" ||
+          name == "screenWindowWidth")
+        continue;
+      const Imf::Attribute* const value = &attribute.attribute();
+      if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(value))
+        all[name] = text->value();
+      else if (const auto* number = dynamic_cast<const Imf::FloatAttribute*>(value))
+        all[name] = static_cast<double>(number->value());
+      else if (const auto* whole = dynamic_cast<const Imf::IntAttribute*>(value))
+        all[name] = whole->value();
+      else if (const auto* matrix = dynamic_cast<const Imf::M44fAttribute*>(value))
+        all[name] = glmOf(matrix->value());
     }
-    return texts;
+    return all;
   } catch (const std::exception&) {
     throw Error(ExitCode::Usage, fmt::format("cannot read \"{}\": it is no EXR file", file));
   }
+}
+
+std::map<std::string, std::string> readExrTexts(const std::string& file) {
+  std::map<std::string, std::string> texts;
+  for (const auto& [name, value] : readExrMetadata(file))
+    if (const auto* text = std::get_if<std::string>(&value)) texts[name] = *text;
+  return texts;
 }
 
 }  // namespace laver

@@ -27,6 +27,10 @@ Image readExr(const std::string& file);
 /// The string attributes of an EXR file, by name. Throws Error(Usage) if it is no EXR file.
 std::map<std::string, std::string> readExrTexts(const std::string& file);
 
+/// The attributes of an EXR file, as writeExr() takes them; without those that every file has.
+/// Throws Error(Usage) if it is no EXR file.
+Metadata readExrMetadata(const std::string& file);
+
 /// Writes R, G, B as 8-bit sRGB, clamped and rounded to nearest. Replaces the file atomically.
 void writePng(const std::string& file, const Image& image);
 /// The kind of image, which determines how a PNG is compressed.

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "reference/sampler.h"
+#include "render/strips.h"
 
 namespace laver::reference {
 
@@ -107,13 +108,13 @@ class Band {
     });
   }
 
-  // Writes the pixels to a picture of `crop`.
-  void write(const Crop& crop, Image& image) const {
+  // Writes the pixels to rows of a picture, from `row` on.
+  void write(int row, Image& image) const {
     auto sums = sums_.begin();
-    for (int y = pixels_.y0; y < pixels_.y1; ++y) {
-      for (int x = pixels_.x0; x < pixels_.x1; ++x, ++sums) {
+    for (int y = row; y < row + pixels_.y1 - pixels_.y0; ++y) {
+      for (int x = 0; x < image.width; ++x, ++sums) {
         for (int c = 0; c < 3; ++c) {
-          image.at(x - crop.x0, y - crop.y0, index(c)) =
+          image.at(x, y, index(c)) =
               sums->weight == 0.0 ? 0.0f : static_cast<float>(sums->value[c] / sums->weight);
         }
       }
@@ -158,19 +159,24 @@ Rendered renderFilm(const Scene& scene, const RenderOptions& options, const Pict
   const auto columns = index(crop.x1 - crop.x0);
   const int rows = static_cast<int>(std::max<std::size_t>(samplesAtOnce / columns, 16));
   observers.beginPicture(picture.index, picture.count);
-  const std::uint64_t all = std::uint64_t{columns} * index(crop.y1 - crop.y0) * count;
-  Rendered rendered{rgbImage(crop.x1 - crop.x0, crop.y1 - crop.y0), {}, 0};
+  const std::vector<Strip> strips = stripsOf(scene, options);
+  const int height = rowsOf(strips);
+  const std::uint64_t all = std::uint64_t{columns} * index(height) * count;
+  Rendered rendered{rgbImage(crop.x1 - crop.x0, height), {}, 0};
+  // A variance takes several samples at once, and their number must not depend on the shard.
+  const std::size_t least = picture.variances != nullptr ? 16 : 1;
+  const int around = 2 * FilterWeights(scene.filter, options.noriCompat).reach();
+  const std::size_t traced =
+      (columns + index(around)) * index(std::min(rows, crop.y1 - crop.y0) + around);
+  const auto batch =
+      static_cast<std::uint32_t>(std::max<std::size_t>(samplesAtOnce / traced, least));
   std::uint32_t done = count;
-  for (int y0 = crop.y0; y0 < crop.y1 && done == count; y0 += rows) {
-    const int y1 = std::min(y0 + rows, crop.y1);
-    Band band(scene, options, {crop.x0, y0, crop.x1, y1}, picture.isSigned);
-    // A variance takes several samples.
-    const std::size_t least = picture.variances != nullptr ? 16 : 1;
-    const auto batch =
-        static_cast<std::uint32_t>(std::max<std::size_t>(samplesAtOnce / band.traced(), least));
+  for (const Strip& at : bandsIn(strips, rows)) {
+    if (done != count) break;
+    Band band(scene, options, at.pixels, picture.isSigned);
     const auto show = [&] {
-      band.write(crop, rendered.image);
-      observers.rowsChanged(rendered.image, y0 - crop.y0, y1 - crop.y0);
+      band.write(at.row, rendered.image);
+      observers.rowsChanged(rendered.image, at.row, at.row + at.rows());
     };
     for (done = 0; done < count && !observers.stop();) {
       const std::uint32_t end = done + std::min(batch, count - done);
@@ -178,13 +184,12 @@ Rendered renderFilm(const Scene& scene, const RenderOptions& options, const Pict
       band.gather();
       if (picture.variances != nullptr) band.addTo(*picture.variances);
       done = end;
-      const double inBand = static_cast<double>(end) / count * (y1 - y0);
-      const double share = (y0 - crop.y0 + inBand) / (crop.y1 - crop.y0);
+      const double share = (at.row + static_cast<double>(end) / count * at.rows()) / height;
       observers.progress(share, picture.index * all +
                                     static_cast<std::uint64_t>(share * static_cast<double>(all)));
       if (done < count && observers.due()) observers.show(show);
     }
-    rendered.reached.addRows(y1 - y0, done, count);
+    rendered.reached.addRows(at.rows(), done, count);
     observers.show(show);
   }
   return rendered;

@@ -25,11 +25,12 @@ struct Picture {
   PixelVariances* variances = nullptr;  ///< to which its samples are added, too
 };
 
-/// Renders the crop, or the whole film. A pixel is sum w value / sum w over the samples within the
-/// filter's radius of its centre on both axes, w being the product of the axes' weights; 0 if sum w
-/// is 0. Samples of all pixels of the film contribute, inside and outside of the crop. The sums run
-/// over the sample index, then over the neighbours row by row, in double, so that the bits depend
-/// on neither crop nor threads. Memory does not grow with the number of samples.
+/// Renders the crop, or the whole film, or a shard of them. A pixel is sum w value / sum w over the
+/// samples within the filter's radius of its centre on both axes, w being the product of the axes'
+/// weights; 0 if sum w is 0. Samples of all pixels of the film contribute, inside and outside of
+/// the crop. The sums run over the sample index, then over the neighbours row by row, in double, so
+/// that the bits depend on neither crop nor threads. Memory does not grow with the number of
+/// samples.
 ///
 /// A sample with a component that is NaN, infinite or, unless the picture is signed, negative is
 /// dropped with its weight. Throws Error(Usage) if the crop is empty or not inside the film.

@@ -105,7 +105,7 @@ Rendered Reference::render(const RenderOptions& options) const {
   const std::size_t count = 1 + more.size();
   std::optional<PixelVariances> variances;
   if (asks(options.layers, layers::variance))
-    variances.emplace(coreOf(impl_->scene.camera, options),
+    variances.emplace(stripsOf(impl_->scene, options),
                       reference::FilterWeights(impl_->scene.filter, options.noriCompat),
                       options.threads);
   Rendered all = picture(impl_->scene.integrator, options,
@@ -161,16 +161,18 @@ std::optional<CentreHit> Reference::centre(glm::dvec2 film) const {
 }
 
 Image Reference::centres(const RenderOptions& options) const {
-  const Camera& camera = impl_->scene.camera;
-  const Crop crop = coreOf(camera, options);
-  Image image = blackImage(crop.x1 - crop.x0, crop.y1 - crop.y0, centreChannels(options.layers));
+  const std::vector<Strip> strips = stripsOf(impl_->scene, options);
+  const Crop first = strips.front().pixels;
+  Image image = blackImage(first.x1 - first.x0, rowsOf(strips), centreChannels(options.layers));
   const std::size_t channels = image.channels.size();
   const auto width = static_cast<std::size_t>(image.width);
   parallelFor(image.pixels.size() / channels, 256, options.threads,
               [&](std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i) {
-                  const glm::dvec2 pixel(crop.x0 + static_cast<int>(i % width),
-                                         crop.y0 + static_cast<int>(i / width));
+                  const int row = static_cast<int>(i / width);
+                  const Strip& strip = stripAt(strips, row);
+                  const glm::dvec2 pixel(first.x0 + static_cast<int>(i % width),
+                                         strip.pixels.y0 + row - strip.row);
                   writeCentre(options.layers, centre(pixel + 0.5), &image.pixels[i * channels]);
                 }
               });

@@ -190,13 +190,22 @@ Uploads uploadsOf(const Scene& scene, const Normalisation& space,
   return uploads;
 }
 
+/// The pixels whose pilots decide the sample counts of a part of the picture.
+Crop pilotsOf(const Crop& pixels, std::uint32_t apron, const Camera& camera) {
+  return pilotArea(cropOf(regionOf(pixels, apron, camera.width, camera.height)), camera.width,
+                   camera.height);
+}
+
 Tiling tilingOf(const Scene& scene, const RenderOptions& options, const VulkanOptions& vulkan,
                 const VkPhysicalDeviceLimits& limits, std::uint32_t apron) {
   const Camera& camera = scene.camera;
-  Crop planned = coreOf(camera, options);
-  if (options.error != 0.0)
-    planned = pilotArea(cropOf(regionOf(planned, apron, camera.width, camera.height)), camera.width,
-                        camera.height);
+  Crop planned{};
+  for (const Strip& strip : stripsOf(scene, options)) {
+    const Crop area = options.error == 0.0 ? strip.pixels : pilotsOf(strip.pixels, apron, camera);
+    if (area.y1 - area.y0 > planned.y1 - planned.y0) planned = area;
+  }
+  // Variances depend on the number of samples per pass, which must be that of the whole picture.
+  if (options.shard && asks(options.layers, layers::variance)) planned = coreOf(camera, options);
   return tile(limits, {planned, camera.width, camera.height, apron, scene.sampler.sampleCount,
                        vulkan.samplesInFlight, sideBySide(scene)});
 }
@@ -238,6 +247,7 @@ Choices choose(const Scene& scene, const RenderOptions& options, const VulkanOpt
   choices.gather.strips = runsPackets(device) && choices.gather.apron <= 4;
   if (!vulkan.general.empty()) choices = generalised(std::move(choices), vulkan.general);
   choices.core = coreOf(scene.camera, options);
+  choices.strips = stripsOf(scene, options);
   choices.tiling = tilingOf(scene, options, vulkan, device.limits, choices.gather.apron);
   choices.reasons = reasonsOf(scene, options, choices, traversal.why);
   return choices;

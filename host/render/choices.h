@@ -60,7 +60,8 @@ struct Choices {
   GatherKey gather;
   Uploads uploads;
   Traversal traversal = Traversal::Lane;
-  Crop core;  ///< pixels of the picture: the film or its crop
+  Crop core;                  ///< the film or its crop
+  std::vector<Strip> strips;  ///< the pixels of the picture: the core, or a shard of it
   Tiling tiling;
   std::vector<Reason> reasons;
 };

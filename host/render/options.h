@@ -14,9 +14,15 @@ struct Crop {
   int x0, y0, x1, y1;
 };
 
+/// One of `count` parts of a picture, which other processes render; index from 0.
+struct Shard {
+  int index, count;
+};
+
 /// How to render, apart from what the scene says. Both renderers take it.
 struct RenderOptions {
-  std::optional<Crop> crop;  ///< default: the whole film; the picture has the crop's size
+  std::optional<Crop> crop;    ///< default: the whole film; the picture has the crop's size
+  std::optional<Shard> shard;  ///< of the core: the picture has only its rows (render/strips.h)
   std::vector<IntegratorUse>
       more;                 ///< further pictures from the same upload, each in channels NAME.*
   Rows<LayerRow> layers;    ///< shown beside the picture
@@ -26,7 +32,7 @@ struct RenderOptions {
   std::vector<Observer*> observers;  ///< outlive the render
 };
 
-/// The pixels of the film that are rendered.
+/// The pixels of the film that are rendered, by all shards together.
 inline Crop coreOf(const Camera& camera, const RenderOptions& options) {
   return options.crop.value_or(Crop{0, 0, camera.width, camera.height});
 }

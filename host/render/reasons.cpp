@@ -81,7 +81,7 @@ Reason passes(const Facts& f) {
           fmt::format("{}{} x {} in {}", f.options.error == 0.0 ? "" : "up to ",
                       passesOf(maxSamplesOf(f.scene, f.options), tiling),
                       countOf(tiling.samplesPerPass, "sample"),
-                      countOf(bandsOf(f.choices.core, tiling), "band")),
+                      countOf(bandsOf(f.choices.strips, tiling), "band")),
           fmt::format("{} MiB of samples in flight, {} MiB of film",
                       tiling.sampleSlots * kBytesInFlight >> 20,
                       tiling.bandPixels * sizeof(shared::FilmPixel) >> 20),

@@ -17,7 +17,7 @@ namespace {
 class Loop {
  public:
   Loop(Frame& frame, const RenderTask& task, FilmState& state, RenderTimes& times)
-      : frame_(frame), task_(task), core_(task.choices.core), state_(state), times_(times) {}
+      : frame_(frame), task_(task), strips_(task.choices.strips), state_(state), times_(times) {}
 
   Rendered run() {
     std::vector<Image> parts;
@@ -26,16 +26,17 @@ class Loop {
     for (const PictureChoice& picture : task_.choices.pictures) {
       picture_ = &picture;
       task_.observers.beginPicture(parts.size(), task_.choices.pictures.size());
-      image_ = blackImage(core_.x1 - core_.x0, core_.y1 - core_.y0, picture.channels);
+      const Crop core = task_.choices.core;
+      image_ = blackImage(core.x1 - core.x0, rowsOf(strips_), picture.channels);
       Reached reached;
       if (whole) {
         frame_.begin(picture);
         if (parts.empty()) {
           if (asks(task_.options.layers, layers::variance)) beginVariances();
-          times_.coverage = frame_.coverage(core_);
+          times_.coverage = coverage();
           reached = renderFirst();
         } else {
-          reached = renderFilm(core_, wanted(), image_);
+          reached = renderFilm(strips_, wanted(), image_);
         }
         whole = reached.wholeRows == image_.height;
       }
@@ -55,19 +56,29 @@ class Loop {
  private:
   const Sampler& sampler() const { return task_.scene.sampler; }
 
+  /// Share of the pixels that the scene covers.
+  double coverage() const {
+    double rows = 0;
+    for (const Strip& strip : strips_) rows += strip.rows() * frame_.coverage(strip.pixels);
+    return rows / image_.height;
+  }
+
+  const SampleMap& mapOf(const Strip& band) const {
+    return maps_[static_cast<std::size_t>(&stripAt(strips_, band.row) - strips_.data())];
+  }
+
   /// Samples per pixel of the current picture.
   std::uint32_t wanted() const {
-    return picture_->centres ? 1 : map_ ? maxSamplesOf(sampler()) : sampler().sampleCount;
+    return picture_->centres ? 1 : !maps_.empty() ? maxSamplesOf(sampler()) : sampler().sampleCount;
   }
 
   /// Renders the main picture.
   Reached renderFirst() {
     if (task_.options.error == 0.0) return renderKept();
-    map_ = runPilots();
-    if (!map_) return {};
-    frame_.use(&*map_);
-    const Reached reached = renderFilm(core_, wanted(), image_);
-    times_.adaptive.describe(*map_, core_, wanted());
+    maps_ = runPilots();
+    if (maps_.empty()) return {};
+    const Reached reached = renderFilm(strips_, wanted(), image_);
+    times_.adaptive.describe(maps_, strips_, wanted());
     return reached;
   }
 
@@ -76,13 +87,13 @@ class Loop {
     Reached reached;
     bool stopped = false;
     for (int row = 0, rows = 0; row < image_.height; row += rows) {
-      rows = state_.equalRows(
-          row, std::min(image_.height - row, static_cast<int>(task_.choices.tiling.bandRows)));
+      const Strip& strip = stripAt(strips_, row);
+      rows = state_.equalRows(row, std::min(strip.row + strip.rows() - row, bandRows()));
       std::uint32_t samples = state_.samples[static_cast<std::size_t>(row)];
       if (stopped || samples == wanted()) {
         if (samples != 0) resolve(state_.bytes(row, rows), row, task_.options.threads, image_);
       } else {
-        samples = renderRows(row, rows, samples);
+        samples = renderRows(strip.part(row, rows), samples);
         if (samples != wanted() && state_.keep() == FilmState::Keep::WhenEnded)
           state_.takeFinished(image_, row, wanted());
         stopped = samples != wanted();
@@ -92,12 +103,11 @@ class Loop {
     return reached;
   }
 
-  /// Renders rows of the picture, which fit into a band, from `had` to all samples per pixel or
-  /// until the render is stopped. Returns the number of samples per pixel.
-  std::uint32_t renderRows(int row, int rows, std::uint32_t had) {
-    const Crop band{core_.x0, core_.y0 + row, core_.x1, core_.y0 + row + rows};
+  /// Renders a band of the picture from `had` to all samples per pixel or until the render is
+  /// stopped. Returns the number of samples per pixel.
+  std::uint32_t renderRows(const Strip& band, std::uint32_t had) {
     if (had != 0)
-      frame_.setFilm(state_.bytes(row, rows));
+      frame_.setFilm(state_.bytes(band.row, band.rows()));
     else
       frame_.clearFilm();
     // Each group of GATHER_SAMPLES must be summed in one pass, however often the render is resumed.
@@ -105,30 +115,32 @@ class Loop {
     const std::uint32_t whole = always ? wanted() - wanted() % shared::GATHER_SAMPLES : wanted();
     std::uint32_t has = addSamples(band, {had, whole, wanted()});
     if (has != 0 && (always || (has != wanted() && state_.keep() == FilmState::Keep::WhenEnded)))
-      state_.take(row, rows, frame_.filmOf(band), has);
+      state_.take(band.row, band.rows(), frame_.filmOf(band.pixels), has);
     if (has == whole && has != wanted()) has = addSamples(band, {whole, wanted(), wanted()});
-    if (has != 0) showBand(band, core_, image_);
+    if (has != 0) showBand(band, image_);
     return has;
   }
 
   /// Renders `samples` per pixel, or as many as the map has.
-  Reached renderFilm(Crop core, std::uint32_t samples, Image& image) {
+  Reached renderFilm(const std::vector<Strip>& strips, std::uint32_t samples, Image& image) {
     Reached reached;
-    const int rows = static_cast<int>(task_.choices.tiling.bandRows);
-    for (int y = core.y0; y < core.y1; y += rows) {
-      const Crop band{core.x0, y, core.x1, std::min(core.y1, y + rows)};
-      const std::uint32_t has = picture_->centres ? traceCentres(band) : fillBand(band, samples);
+    for (const Strip& band : bandsIn(strips, bandRows())) {
+      if (!maps_.empty()) frame_.use(&mapOf(band));
+      const std::uint32_t has =
+          picture_->centres ? traceCentres(band.pixels) : fillBand(band, samples);
       if (has == 0) break;
-      reached.addRows(band.y1 - band.y0, has, samples);
-      showBand(band, core, image);
+      reached.addRows(band.rows(), has, samples);
+      showBand(band, image);
       if (has != samples) break;
     }
     return reached;
   }
 
-  std::uint32_t fillBand(const Crop& band, std::uint32_t samples) {
+  int bandRows() const { return static_cast<int>(task_.choices.tiling.bandRows); }
+
+  std::uint32_t fillBand(const Strip& band, std::uint32_t samples) {
     frame_.clearFilm();
-    const std::uint32_t max = frame_.maxSamples(band, samples);
+    const std::uint32_t max = frame_.maxSamples(band.pixels, samples);
     const std::uint32_t has = addSamples(band, {0, max, max});
     return has == max ? samples : has;
   }
@@ -146,8 +158,8 @@ class Loop {
 
   /// The passes: traces samples and adds them to the film. Returns the number of samples per pixel,
   /// less than span.end if an observer stopped it.
-  std::uint32_t addSamples(const Crop& band, const Span& span) {
-    shared::Pass pass = frame_.passOver(band);
+  std::uint32_t addSamples(const Strip& band, const Span& span) {
+    shared::Pass pass = frame_.passOver(band.pixels);
     std::uint32_t done = span.first;
     while (done < span.end && !task_.observers.stop()) {
       pass.firstSample = done;
@@ -158,14 +170,14 @@ class Loop {
       done += pass.sampleCount;
       passDone(band, done, span.of);
     }
-    frame_.countSamples(map_ && picture_->key.adaptive
-                            ? map_->samplesOf(band, done)
+    frame_.countSamples(!maps_.empty() && picture_->key.adaptive
+                            ? mapOf(band).samplesOf(band.pixels, done)
                             : std::uint64_t{pass.core.z} * pass.core.w * (done - span.first));
     return done;
   }
 
   void beginVariances() {
-    variances_.emplace(core_,
+    variances_.emplace(strips_,
                        reference::FilterWeights(task_.scene.filter, task_.options.noriCompat),
                        task_.options.threads);
   }
@@ -192,56 +204,67 @@ class Loop {
   }
 
   /// Reports that a band has n of its samples.
-  void passDone(const Crop& band, std::uint32_t n, std::uint32_t of) {
+  void passDone(const Strip& band, std::uint32_t n, std::uint32_t of) {
     if (pilots()) return;
     const double share = static_cast<double>(n) / of;
-    task_.observers.progress(
-        (band.y0 - core_.y0 + share * (band.y1 - band.y0)) / (core_.y1 - core_.y0),
-        frame_.work().samples);
-    if (n < of && task_.observers.due()) resolveBand(band, core_, image_);
+    task_.observers.progress((band.row + share * band.rows()) / image_.height,
+                             frame_.work().samples);
+    if (n < of && task_.observers.due()) resolveBand(band, image_);
   }
 
-  bool pilots() const { return task_.options.error != 0.0 && !map_; }
+  bool pilots() const { return task_.options.error != 0.0 && maps_.empty(); }
 
-  void showBand(const Crop& band, const Crop& core, Image& image) {
-    resolveBand(band, core, image);
+  void showBand(const Strip& band, Image& image) {
+    resolveBand(band, image);
     ++times_.bands;
   }
 
-  /// Resolves the sums of a band of a picture of `core` and reports the rows to the observers.
-  void resolveBand(const Crop& band, const Crop& core, Image& image) {
+  /// Resolves the sums of a band of a picture and reports the rows to the observers.
+  void resolveBand(const Strip& band, Image& image) {
     task_.observers.show([&] {
       const Stopwatch watch(times_.readBackSeconds);
-      const auto film = frame_.filmOf(band);
+      const auto film = frame_.filmOf(band.pixels);
       if (picture_->centres)
-        resolveCentres(film, band.y0 - core.y0, {task_.scene, task_.packed}, task_.options, image);
+        resolveCentres(film, band.row, {task_.scene, task_.packed}, task_.options, image);
       else
-        resolve(film, band.y0 - core.y0, task_.options.threads, image);
-      if (!pilots()) task_.observers.rowsChanged(image, band.y0 - core.y0, band.y1 - core.y0);
+        resolve(film, band.row, task_.options.threads, image);
+      if (!pilots()) task_.observers.rowsChanged(image, band.row, band.row + band.rows());
     });
   }
 
-  /// Renders pilots, pictures of one sample per pixel that cover everything that the counts of the
-  /// core depend on, and decides the counts. None if stopped.
-  std::optional<SampleMap> runPilots() {
-    const Crop area = task_.choices.tiling.planned;
+  /// Decides the counts of each strip. None if stopped.
+  std::vector<SampleMap> runPilots() {
+    std::vector<SampleMap> maps;
+    for (const Strip& strip : strips_) {
+      const Crop region = cropOf(frame_.regionAround(strip.pixels));
+      const Camera& camera = task_.scene.camera;
+      std::optional<SampleMap> map = runPilots(pilotArea(region, camera.width, camera.height));
+      if (!map) return {};
+      maps.push_back(std::move(*map));
+    }
+    frame_.seed(sampler().seed);
+    frame_.forgetDropped();
+    times_.adaptive.pilotSamples = frame_.takeSampleCount();
+    return maps;
+  }
+
+  /// Renders pilots, pictures of one sample per pixel that cover everything that some counts depend
+  /// on, and decides the counts. None if stopped.
+  std::optional<SampleMap> runPilots(const Crop& area) {
     const SampleMap one(cropOf(frame_.regionAround(area)), 1);
     frame_.use(&one);
     std::vector<Image> pilots;
     for (int i = 0; i < kPilots; ++i) {
       frame_.seed(pilotSeed(sampler().seed, i));
       pilots.push_back(rgbImage(area.x1 - area.x0, area.y1 - area.y0));
-      if (renderFilm(area, 1, pilots.back()).wholeRows != pilots.back().height) return {};
+      if (renderFilm({{area, 0}}, 1, pilots.back()).wholeRows != pilots.back().height) return {};
     }
-    frame_.seed(sampler().seed);
-    frame_.forgetDropped();
-    times_.adaptive.pilotSamples = frame_.takeSampleCount();
     return decideSamples(pilots, area, task_.options.error, maxSamplesOf(sampler()),
                          task_.options.threads);
   }
 
   Image samplesLayer(const Image& picture, const Reached& reached) const {
-    if (map_) return times_.adaptive.samples;
+    if (!maps_.empty()) return times_.adaptive.samples;
     Image image = blackImage(picture.width, picture.height, {"samples"});
     for (int y = 0; y < image.height; ++y)
       for (int x = 0; x < image.width; ++x)
@@ -251,12 +274,12 @@ class Loop {
 
   Frame& frame_;
   const RenderTask& task_;
-  const Crop core_;
+  const std::vector<Strip>& strips_;
   FilmState& state_;
   RenderTimes& times_;
   const PictureChoice* picture_ = nullptr;
   Image image_;
-  std::optional<SampleMap> map_;             ///< of adaptive sampling, after the pilots
+  std::vector<SampleMap> maps_;  ///< of the strips, with adaptive sampling after the pilots
   std::optional<PixelVariances> variances_;  ///< of the first picture
 };
 

@@ -67,11 +67,12 @@ Rendered Renderer::render(const Scene& scene, const RenderOptions& options, Film
   const Packed packed = pack(scene, options, choices.uploads);
   Observers observers(options.observers);
   observers.started(device.name());
-  const int width = choices.core.x1 - choices.core.x0, height = choices.core.y1 - choices.core.y0;
-  state.begin(state.keep() == FilmState::Keep::Nothing
-                  ? Settings{}
-                  : settingsOf(scene, packed, choices, device.info()),
-              width, height, scene.sampler.sampleCount);
+  Settings settings;
+  if (options.shard || state.keep() != FilmState::Keep::Nothing)
+    settings = settingsOf(scene, packed, choices, device.info());
+  if (options.shard) settings.emplace_back("shard", textOf(*options.shard));
+  state.begin(settings, choices.core.x1 - choices.core.x0, rowsOf(choices.strips),
+              scene.sampler.sampleCount);
 
   while (compiling.wait_for(std::chrono::milliseconds(50)) == std::future_status::timeout)
     observers.waiting();

@@ -44,7 +44,7 @@ nlohmann::json figuresOf(const Scene& scene, const RenderOptions& options, const
   const Tiling& tiling = choices.tiling;
   const Crop core = choices.core;
   return {{"width", core.x1 - core.x0},
-          {"height", core.y1 - core.y0},
+          {"height", rowsOf(choices.strips)},
           {"samples", scene.sampler.sampleCount},
           {"pictures", choices.pictures.size()},
           {"triangles", primitivesOf(scene)},
@@ -56,7 +56,7 @@ nlohmann::json figuresOf(const Scene& scene, const RenderOptions& options, const
           {"bytesUploaded", bytesOf(packed)},
           {"sampleBytes", tiling.sampleSlots * kBytesInFlight},
           {"filmBytes", tiling.bandPixels * sizeof(shared::FilmPixel)},
-          {"bands", bandsOf(core, tiling)},
+          {"bands", bandsOf(choices.strips, tiling)},
           {"passesPerBand", passesOf(maxSamplesOf(scene, options), tiling)},
           {"samplesPerPass", tiling.samplesPerPass},
           {"samplesSideBySide", samplesSideBySide(tiling, options.error != 0.0)},

@@ -86,19 +86,22 @@ void Stats::add(const FrameWork& work, const RenderTimes& times, const Rendered&
   reasons.push_back({"final traversal", traversal, work.fallback, "", 0});
 }
 
-void AdaptiveStats::describe(const SampleMap& map, Crop core, std::uint32_t bound) {
-  samples = {core.x1 - core.x0, core.y1 - core.y0, {"samples"}, {}};
+void AdaptiveStats::describe(std::span<const SampleMap> maps, const std::vector<Strip>& strips,
+                             std::uint32_t bound) {
+  const int left = strips[0].pixels.x0, right = strips[0].pixels.x1;
+  samples = {right - left, rowsOf(strips), {"samples"}, {}};
   double sum = 0, full = 0;
   min = bound;
-  for (int y = core.y0; y < core.y1; ++y)
-    for (int x = core.x0; x < core.x1; ++x) {
-      const std::uint32_t count = map.pixel(x, y);
-      samples.pixels.push_back(static_cast<float>(count));
-      min = std::min(min, count);
-      max = std::max(max, count);
-      sum += count;
-      full += count == bound ? 1 : 0;
-    }
+  for (std::size_t i = 0; i < strips.size(); ++i)
+    for (int y = strips[i].pixels.y0; y < strips[i].pixels.y1; ++y)
+      for (int x = left; x < right; ++x) {
+        const std::uint32_t count = maps[i].pixel(x, y);
+        samples.pixels.push_back(static_cast<float>(count));
+        min = std::min(min, count);
+        max = std::max(max, count);
+        sum += count;
+        full += count == bound ? 1 : 0;
+      }
   average = sum / static_cast<double>(samples.pixels.size());
   atBound = full / static_cast<double>(samples.pixels.size());
 }

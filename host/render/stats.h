@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,9 @@ struct AdaptiveStats {
   double atBound = 0;  ///< share of pixels with the maximum, --spp
   Image samples;       ///< samples of each pixel; channel `samples`
 
-  void describe(const SampleMap& map, Crop core, std::uint32_t bound);
+  /// Of strips, each of which has a map.
+  void describe(std::span<const SampleMap> maps, const std::vector<Strip>& strips,
+                std::uint32_t bound);
 };
 
 /// The statistics of a render for --stats, recorded from events. Seconds are of the host's clock;

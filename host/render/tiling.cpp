@@ -98,8 +98,11 @@ Tiling tile(const VkPhysicalDeviceLimits& limits, const TilingNeeds& needs) {
           sideBySide};
 }
 
-std::uint32_t bandsOf(const Crop& core, const Tiling& tiling) {
-  return (static_cast<std::uint32_t>(core.y1 - core.y0) + tiling.bandRows - 1) / tiling.bandRows;
+std::uint32_t bandsOf(const std::vector<Strip>& strips, const Tiling& tiling) {
+  std::uint32_t bands = 0;
+  for (const Strip& strip : strips)
+    bands += groupsOf(static_cast<std::uint32_t>(strip.rows()), tiling.bandRows);
+  return bands;
 }
 
 std::uint32_t passesOf(std::uint32_t samples, const Tiling& tiling) {

@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 
 #include "render/options.h"
+#include "render/strips.h"
 #include "scene/scene.h"
 #include "shared/layout.h"
 #include "vulkan/device_info.h"
@@ -18,8 +19,8 @@ inline constexpr std::uint64_t kSampleBytes = 16, kBytesInFlight = 20;
 /// The division of a render into bands of rows, and of each band into passes of few samples, so
 /// that memory grows neither with the film nor with the sample count and every dispatch is short.
 struct Tiling {
-  Crop planned;            ///< pixels that are reconstructed: the core, or the area of the pilots
-  std::uint32_t bandRows;  ///< rows of the core per band
+  Crop planned;                  ///< pixels that are reconstructed together: a strip, or its pilots
+  std::uint32_t bandRows;        ///< rows of the core per band
   std::uint32_t samplesPerPass;  ///< per pixel: all, or a multiple of GATHER_SAMPLES
   std::uint64_t sampleSlots;     ///< of the largest pass
   std::uint64_t bandPixels;      ///< of the largest band
@@ -39,8 +40,8 @@ struct TilingNeeds {
 /// Throws Error(Device) if the device cannot hold even the smallest piece.
 Tiling tile(const VkPhysicalDeviceLimits& limits, const TilingNeeds& needs);
 
-/// Number of bands of a core, and of passes of a band with that many samples per pixel.
-std::uint32_t bandsOf(const Crop& core, const Tiling& tiling);
+/// Number of bands of strips, and of passes of a band with that many samples per pixel.
+std::uint32_t bandsOf(const std::vector<Strip>& strips, const Tiling& tiling);
 std::uint32_t passesOf(std::uint32_t samples, const Tiling& tiling);
 
 /// Samples per pixel that a workgroup traces side by side: 1, 4, 16 or 64. The work lists of

@@ -11,6 +11,7 @@ namespace laver {
 /// at -reach to reach.
 struct PixelVariances::Group {
   int x = 0, y = 0, reach = 0;
+  int above = 0;  ///< rows of the film above `to` that the picture does not have
   std::vector<glm::dvec3> values{};
   std::vector<double> across{}, down{};
 
@@ -28,7 +29,9 @@ void PixelVariances::add(const Crop& to, const Crop& from, std::uint32_t n, cons
 void PixelVariances::addRows(const Crop& to, const Crop& from, std::uint32_t n,
                              const SampleAt& at) {
   Group group;
+  if (to.y0 == to.y1) return;
   const int reach = group.reach = weights_.reach();
+  group.above = to.y0 - rowOf(strips_, to.y0);
   for (int y = std::max(from.y0, to.y0 - reach); y < std::min(from.y1, to.y1 + reach); ++y) {
     for (int x = std::max(from.x0, to.x0 - reach); x < std::min(from.x1, to.x1 + reach); ++x) {
       group.x = x;
@@ -70,9 +73,8 @@ void PixelVariances::addGroup(const Group& group, const Crop& to) {
         aa += weighted * weighted;
         aw += weight * weighted;
       }
-      Sums& sums = sums_[static_cast<std::size_t>(y - core_.y0) *
-                             static_cast<std::size_t>(core_.x1 - core_.x0) +
-                         static_cast<std::size_t>(x - core_.x0)];
+      Sums& sums = sums_[static_cast<std::size_t>(y - group.above) * width() +
+                         static_cast<std::size_t>(x - strips_[0].pixels.x0)];
       sums.value += a;
       sums.weight += w;
       sums.all += count;
@@ -86,7 +88,7 @@ void PixelVariances::addGroup(const Group& group, const Crop& to) {
 }
 
 Image PixelVariances::image() const {
-  Image image = blackImage(core_.x1 - core_.x0, core_.y1 - core_.y0, layers::variance.channels);
+  Image image = blackImage(static_cast<int>(width()), rowsOf(strips_), layers::variance.channels);
   for (std::size_t i = 0; i < sums_.size(); ++i) {
     const Sums& s = sums_[i];
     if (s.weight == 0.0 || s.counted == 0.0) continue;

@@ -2,11 +2,12 @@
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
+#include <utility>
 #include <vector>
 
 #include "image/image.h"
 #include "reference/filter.h"
-#include "render/options.h"
+#include "render/strips.h"
 
 namespace laver {
 
@@ -19,13 +20,12 @@ namespace laver {
 /// that are spread more evenly than independent ones have less than this.
 class PixelVariances {
  public:
-  /// Of the pixels of `core`.
-  PixelVariances(const Crop& core, const reference::FilterWeights& weights, unsigned threads)
-      : core_(core),
+  PixelVariances(std::vector<Strip> strips, const reference::FilterWeights& weights,
+                 unsigned threads)
+      : strips_(std::move(strips)),
         weights_(weights),
         threads_(threads),
-        sums_(static_cast<std::size_t>(core.x1 - core.x0) *
-              static_cast<std::size_t>(core.y1 - core.y0)) {}
+        sums_(width() * static_cast<std::size_t>(rowsOf(strips_))) {}
 
   struct Sample {
     glm::dvec2 inside;  ///< position in its pixel's square
@@ -35,8 +35,8 @@ class PixelVariances {
   /// A sample of a pixel, by its number.
   using SampleAt = std::function<Sample(int x, int y, std::uint32_t number)>;
 
-  /// Adds samples 0 to n - 1 of the pixels of `from` to those of the pixels of `to` that they
-  /// reach.
+  /// Adds samples 0 to n - 1 of the pixels of `from` to those of the pixels of `to`, a part of a
+  /// strip, that they reach.
   void add(const Crop& to, const Crop& from, std::uint32_t n, const SampleAt& at);
 
   /// Channels variance.R, variance.G, variance.B; 0 where a pixel has no weight. The samples of a
@@ -56,7 +56,11 @@ class PixelVariances {
   void addRows(const Crop& to, const Crop& from, std::uint32_t n, const SampleAt& at);
   void addGroup(const Group& group, const Crop& to);
 
-  Crop core_;
+  std::size_t width() const {
+    return static_cast<std::size_t>(strips_[0].pixels.x1 - strips_[0].pixels.x0);
+  }
+
+  std::vector<Strip> strips_;  ///< the pixels of the picture
   reference::FilterWeights weights_;
   unsigned threads_;
   std::vector<Sums> sums_;
