@@ -145,7 +145,7 @@ struct Emission {
   vec3 radiance;  // or factor of the texture
   float
       density;  // of light sampling, per area of normalised space, before probabilities are rounded
-  uint shown;  // 1 + the texture's index, or TEXTURE_NONE
+  uint shown;   // 1 + the texture's index, or TEXTURE_NONE
   uint unused0, unused1, unused2;
 };
 

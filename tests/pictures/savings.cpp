@@ -78,8 +78,8 @@ auto madeGeneral(const TraceKey& key) {
   const auto& [integrator, userFile, userText, camera, sampler, background, bsdfs, textures, layout,
                traversal, stack, jumpLevels, hits, normals, materials, bsdfRecords, spheres, caps,
                farParts, slivers, farCamera, portions, lights, shapedLights, manyLights, lockstep,
-               bounces, emission, texturedLights, byteImages, floatImages, adaptive, signedValues, properties] =
-      key;
+               bounces, emission, texturedLights, byteImages, floatImages, adaptive, signedValues,
+               properties] = key;
   return std::tuple(background, textures, layout, stack, jumpLevels, hits, normals, materials,
                     bsdfRecords, spheres, caps, farParts, slivers, farCamera, lights, shapedLights,
                     manyLights, byteImages, floatImages);
