@@ -167,7 +167,8 @@ Rendered renderFilm(const Scene& scene, const RenderOptions& options, const Pict
   const std::size_t least = picture.variances != nullptr ? 16 : 1;
   const int around = 2 * FilterWeights(scene.filter, options.noriCompat).reach();
   const std::size_t traced =
-      (columns + index(around)) * index(std::min(rows, crop.y1 - crop.y0) + around);
+      index(std::min(crop.x1 - crop.x0 + around, scene.camera.width)) *
+      index(std::min(std::min(rows, crop.y1 - crop.y0) + around, scene.camera.height));
   const auto batch =
       static_cast<std::uint32_t>(std::max<std::size_t>(samplesAtOnce / traced, least));
   std::uint32_t done = count;
