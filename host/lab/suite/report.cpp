@@ -89,8 +89,8 @@ std::string lineOf(const Result& result) {
   std::string line =
       fmt::format("{:<7}  {}  {:.2f} s", nameOf(result.verdict), result.name, result.seconds);
   if (result.figure) line += "  " + result.figure->text();
-  if (!result.change.empty()) line += "  " + firstLine(result.change);
-  if (!result.reason.empty()) line += ": " + firstLine(result.reason);
+  if (!result.change.empty()) line.append("  ").append(firstLine(result.change));
+  if (!result.reason.empty()) line.append(": ").append(firstLine(result.reason));
   std::string whole = printable(line);
   std::ranges::replace(whole, '\n', ' ');
   return whole;

@@ -163,13 +163,13 @@ class Reader {
         break;
       case Key::Kind::Number:
         number(value);
-        option += "=" + value.dump();
+        option.append("=").append(value.dump());
         break;
       case Key::Kind::Text:
-        option += "=" + text(value);
+        option.append("=").append(text(value));
         break;
       case Key::Kind::Names:
-        option += "=" + names(value);
+        option.append("=").append(names(value));
         break;
     }
     check_({option});
