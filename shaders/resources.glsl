@@ -1,6 +1,7 @@
 // Bindings: all buffers that kernels read and write. The constants of the kernel's key precede this text
 // (host/kernels/compose.cpp).
 #include "shared/layout.h"
+#include "shared/slots.h"
 
 const uint REACH = 2u * APRON + 1u;  // pixels on an axis that one sample reaches
 
@@ -35,15 +36,7 @@ layout(binding = BIND_IMAGES) uniform utextureBuffer imageTexels;
 
 vec3 texelVec3(uvec4 texel) { return uintBitsToFloat(texel.xyz); }
 
-// Samples stored in one block of SLOT_COLUMNS pixels of a row: those that are added up together.
-uint slotsPerBlock() { return min(pass.sampleCount, GATHER_SAMPLES) * SLOT_COLUMNS; }
-
-// Slot of a sample, by (x, y) in pixels of the region and its number in the pass. Blocks follow each other
-// along a row, rows follow each other. Both tracing and gathering by strips, which are half a block wide
-// (film/gather_strip.glsl), therefore go through memory from front to back.
+// Slot of a sample, by (x, y) in pixels of the region and its number in the pass.
 int sampleSlot(uvec3 xys) {
-  const uint blocksPerRow = (pass.region.z + SLOT_COLUMNS - 1u) / SLOT_COLUMNS;
-  const uint row = xys.z / GATHER_SAMPLES * pass.region.w + xys.y;
-  const uint block = row * blocksPerRow + xys.x / SLOT_COLUMNS;
-  return int(block * slotsPerBlock() + xys.z % GATHER_SAMPLES * SLOT_COLUMNS + xys.x % SLOT_COLUMNS);
+  return int(slotOf(pass.sampleCount, pass.region, xys.x, xys.y, xys.z));
 }

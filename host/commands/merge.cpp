@@ -113,7 +113,8 @@ Metadata metadataOf(const std::vector<Part>& parts, int rows) {
     if (&part == &parts.front()) metadata = of;
     const auto number = [&](const char* name) {
       const auto found = of.find(name);
-      return found == of.end() ? 0.0 : std::get<double>(found->second);
+      const double* value = found == of.end() ? nullptr : std::get_if<double>(&found->second);
+      return value == nullptr ? 0.0 : *value;
     };
     seconds += number("renderTimeSeconds");
     for (const RowRange& range : part.rows)
@@ -136,8 +137,10 @@ ExitCode run(const MergeCommand& command) {
     if (std::filesystem::equivalent(part.file, exr, error))
       throw Error(ExitCode::Usage, fmt::format("-o {}: that is one of the parts", exr.string()));
   }
-  checkComplete(parts);
   const Place place = placeOf(parts.front());
+  if (parts.front().shard.count > place.core.y1 - place.core.y0)
+    refuse(fmt::format("\"{}\" is damaged", parts.front().file));
+  checkComplete(parts);
   Image picture;
   std::vector<bool> filled(static_cast<std::size_t>(place.core.y1 - place.core.y0));
   for (const Part& part : parts) put(part, place, picture, filled);

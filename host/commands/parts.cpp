@@ -97,7 +97,6 @@ bool isOfPart(const std::string& attribute) {
 }
 
 Settings settingsOfReference(const RenderCommand& command, const Scene& scene) {
-  const Crop core = coreOf(scene.camera, command.options);
   const Dialect* dialect = command.overrides.dialect;
   Hash content;
   content.add(describe(scene));
@@ -113,15 +112,11 @@ Settings settingsOfReference(const RenderCommand& command, const Scene& scene) {
                                                file.string()));
     content.add(*hash);
   }
-  return {{"laverVersion", LAVER_VERSION},
-          {"device", "reference"},
-          {"integrator", scene.integrator.row->name},
-          {"film", fmt::format("{}x{}", scene.camera.width, scene.camera.height)},
-          {"crop", fmt::format("{},{},{},{}", core.x0, core.y0, core.x1, core.y1)},
-          {"sampler", scene.sampler.row->name},
-          {"seed", std::to_string(scene.sampler.seed)},
-          {"filterWeights", command.options.noriCompat ? "Nori's table" : "exact"},
-          {"scene", content.text()}};
+  Settings settings =
+      settingsOf(scene, coreOf(scene.camera, command.options), command.options.noriCompat);
+  settings.emplace_back("device", "reference");
+  settings.emplace_back("scene", content.text());
+  return settings;
 }
 
 void writePart(const std::filesystem::path& exr, const RenderCommand& command, const Scene& scene,

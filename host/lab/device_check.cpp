@@ -2,15 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <fstream>
 
 #include "core/error.h"
 #include "image/compare.h"
 #include "image/io.h"
 #include "lab/process.h"
-#include "lab/suite/scratch.h"
+#include "lab/scratch.h"
 #include "reference/reference.h"
 #include "render/traversal.h"
 #include "scene/scene.h"
@@ -18,7 +18,7 @@
 namespace laver {
 namespace {
 
-/// A smooth solid, a flat one and a floor.
+/// A floor and a tetrahedron.
 constexpr const char* kMesh =
     "v -3 0 -3\nv 3 0 -3\nv 3 0 3\nv -3 0 3\nf 4 3 2 1\n"
     "v -1.4 0 0.9\nv -0.4 0 -0.2\nv -0.2 0 1.2\nv -0.7 1.3 0.6\nf 5 6 8\nf 6 7 8\nf 7 5 8\n";
@@ -36,59 +36,33 @@ constexpr const char* kShapes =
     "<transform name=\"toWorld\"><lookat origin=\"0.5 2 -5\" target=\"0 0.4 0\" up=\"0 1 0\"/>"
     "</transform></camera>";
 
-/// A scene of the check. `share` of the values may be beyond a ten-thousandth: rounding decides
-/// which side of an edge a sample is on, and of paths where they go on.
 struct CheckScene {
   const char* name;
   const char* integrator;
   const char* bsdf;
   const char* lights;
-  double share;
-  bool byEveryTraversal;
 };
 
 constexpr CheckScene kScenes[] = {
-    {"normals", "normals", "", "", 0.01, true},
+    {"normals", "normals", "", ""},
     {"lights", "direct_whitted", "",
      "<emitter type=\"point\"><point name=\"position\" value=\"-2 4 -2\"/>"
      "<color name=\"power\" value=\"600 500 400\"/></emitter>"
      "<emitter type=\"point\"><point name=\"position\" value=\"3 3 -1\"/>"
-     "<color name=\"power\" value=\"100 200 300\"/></emitter>",
-     0.01, true},
+     "<color name=\"power\" value=\"100 200 300\"/></emitter>"},
     {"paths", "path_mis", "<bsdf type=\"dielectric\"/>",
      "<mesh type=\"sphere\"><point name=\"center\" value=\"-1.5 3 -1\"/>"
      "<float name=\"radius\" value=\"0.5\"/><emitter type=\"area\">"
-     "<color name=\"radiance\" value=\"12 11 9\"/></emitter></mesh>",
-     0.03, false}};
+     "<color name=\"radiance\" value=\"12 11 9\"/></emitter></mesh>"}};
+
+/// Values that differ by more than this do not count as equal.
+constexpr double kApart = 1e-4;
+/// The share of them that a right picture may have: rounding decides on which side of an edge a
+/// sample is, and of paths where they go on (tests/pictures/paths.cpp).
+double shareOf(bool paths) { return paths ? 0.03 : 0.01; }
 
 void write(const std::string& file, const std::string& text) {
   if (!(std::ofstream(file) << text)) throw Error(ExitCode::Output, file + ": cannot be written");
-}
-
-/// Share of the values that differ by more than a ten-thousandth.
-double shareApart(const Image& image, const Image& wanted) {
-  if (image.pixels.size() != wanted.pixels.size()) return 1.0;
-  std::size_t apart = 0;
-  for (int y = 0; y < wanted.height; ++y)
-    for (int x = 0; x < wanted.width; ++x)
-      for (std::size_t c = 0; c < 3; ++c) {
-        const double value{wanted.at(x, y, c)};
-        if (!(distance(double{image.at(x, y, c)}, value) <= 1e-4 * (1.0 + value))) ++apart;
-      }
-  return static_cast<double>(apart) / static_cast<double>(wanted.pixels.size());
-}
-
-/// In the order R, G, B.
-Image readPixels(const std::string& file) {
-  const Image read = readExr(file);
-  Image image = rgbImage(read.width, read.height);
-  for (int y = 0; y < read.height; ++y)
-    for (int x = 0; x < read.width; ++x)
-      for (std::size_t c = 0; c < read.channels.size(); ++c) {
-        const std::size_t place = std::string("RGB").find(read.channels[c]);
-        if (place < 3) image.at(x, y, place) = read.at(x, y, c);
-      }
-  return image;
 }
 
 std::string lastLine(std::string text) {
@@ -103,15 +77,21 @@ class Checks {
     write(scratch_.file("check.obj"), kMesh);
   }
 
-  Image prepare(const CheckScene& scene) {
+  /// What the reference shows, and whether it follows paths.
+  struct Wanted {
+    Image image;
+    bool paths;
+  };
+
+  Wanted prepare(const CheckScene& scene) {
     file_ = scratch_.file("check.xml");
     write(file_, fmt::format("<scene><integrator type=\"{}\"/>{}{}</scene>", scene.integrator,
                              fmt::format(fmt::runtime(kShapes), scene.bsdf), scene.lights));
     const Scene loaded = loadScene(file_, {.dialectNamed = true}).scene;
-    return Reference(loaded).render({}).image;
+    return {Reference(loaded).render({}).image, loaded.integrator.row->bounces};
   }
 
-  DeviceCheck run(const CheckScene& scene, const Image& wanted, Traversal traversal) {
+  DeviceCheck run(const CheckScene& scene, const Wanted& wanted, Traversal traversal) {
     DeviceCheck check{fmt::format("{}, {}", scene.name, traversalName(traversal))};
     const std::string picture = scratch_.file("check.exr");
     const auto start = std::chrono::steady_clock::now();
@@ -128,15 +108,17 @@ class Checks {
       check.finding =
           fmt::format("no picture, exit code {}: {}", run.exitCode, lastLine(run.errorOutput));
     } else {
-      const double share = shareApart(readPixels(picture), wanted);
-      check.right = share <= scene.share;
-      check.finding = fmt::format("{:.2f} % of the values differ", 100.0 * share);
+      double share = 0.0;
+      for (const ChannelDifference& d : compare(readExr(picture), wanted.image, kApart))
+        share = std::max(share, d.distances.share);
+      check.right = share <= shareOf(wanted.paths);
+      check.finding = fmt::format("{:.2f} % of the pixels differ", 100.0 * share);
     }
     return check;
   }
 
  private:
-  suite::Scratch scratch_;
+  Scratch scratch_;
   std::string self_, file_;
   std::size_t index_;
   double limit_;
@@ -148,9 +130,9 @@ void checkDevice(const std::string& self, std::size_t index, const DeviceInfo& d
                  const std::function<void(const DeviceCheck&)>& report) {
   Checks checks(self, index, limit);
   for (const CheckScene& scene : kScenes) {
-    const Image wanted = checks.prepare(scene);
+    const Checks::Wanted wanted = checks.prepare(scene);
     for (const Traversal traversal : {Traversal::Lane, Traversal::Packet32, Traversal::Packet64}) {
-      if (isPacket(traversal) && !(scene.byEveryTraversal && runsPackets(device))) continue;
+      if (isPacket(traversal) && (wanted.paths || !runsPackets(device))) continue;
       report(checks.run(scene, wanted, traversal));
     }
   }

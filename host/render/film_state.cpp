@@ -15,19 +15,21 @@ constexpr std::size_t kFloats = sizeof(shared::FilmPixel) / sizeof(float);
 
 }  // namespace
 
+Settings settingsOf(const Scene& scene, const Crop& core, bool noriTable) {
+  return {{"laverVersion", LAVER_VERSION},
+          {"integrator", scene.integrator.row->name},
+          {"film", fmt::format("{}x{}", scene.camera.width, scene.camera.height)},
+          {"crop", fmt::format("{},{},{},{}", core.x0, core.y0, core.x1, core.y1)},
+          {"sampler", scene.sampler.row->name},
+          {"seed", std::to_string(scene.sampler.seed)},
+          {"filterWeights", noriTable ? "Nori's table" : "exact"}};
+}
+
 Settings settingsOf(const Scene& scene, const Packed& packed, const Choices& choices,
                     const DeviceInfo& device) {
-  const Crop core = choices.core;
-  Settings settings = {{"laverVersion", LAVER_VERSION},
-                       {"device", device.name},
-                       {"driver", device.driver},
-                       {"integrator", scene.integrator.row->name},
-                       {"film", fmt::format("{}x{}", scene.camera.width, scene.camera.height)},
-                       {"crop", fmt::format("{},{},{},{}", core.x0, core.y0, core.x1, core.y1)},
-                       {"sampler", scene.sampler.row->name},
-                       {"seed", std::to_string(scene.sampler.seed)},
-                       {"filterWeights", choices.uploads.noriTable ? "Nori's table" : "exact"},
-                       {"samplesSummedPlainly", std::to_string(shared::GATHER_SAMPLES)}};
+  Settings settings = settingsOf(scene, choices.core, choices.uploads.noriTable);
+  settings.insert(settings.begin() + 1, {{"device", device.name}, {"driver", device.driver}});
+  settings.emplace_back("samplesSummedPlainly", std::to_string(shared::GATHER_SAMPLES));
   if (!scene.sampler.row->countFree)
     settings.emplace_back("sampleCount", std::to_string(scene.sampler.sampleCount));
   settings.emplace_back("scene", contentOf(packed, choices));

@@ -17,6 +17,9 @@ struct DeviceInfo;
 /// are reported.
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
+/// Those that do not depend on the device.
+Settings settingsOf(const Scene& scene, const Crop& core, bool noriTable);
+
 /// The settings of a render of a packed scene. They include the sample count if the sampler's
 /// samples depend on it.
 Settings settingsOf(const Scene& scene, const Packed& packed, const Choices& choices,

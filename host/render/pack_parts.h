@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <vector>
 
 #include "render/packed.h"
 
@@ -28,6 +29,14 @@ double powerOf(const PointLight& light, double radius);
 
 /// What meshes emit, and the light sources of light sampling; tree, space and lights must be there.
 void packSources(const Scene& scene, Packed& packed);
+
+/// Attributes in the order of the leaves, from attributes in file order.
+std::vector<shared::Attributes> inLeafOrder(const std::vector<shared::Attributes>& attributes,
+                                            const std::vector<shared::Triangle>& inFileOrder,
+                                            const Bvh& bvh);
+/// Packs four numbers per triangle, or only its material if no kernel reads normals.
+void packAttributes(const std::vector<shared::Attributes>& attributes, const Uploads& uploads,
+                    Packed& packed);
 
 /// n steps of PCG32: state(n) = multiplier * state(0) + increments * inc (Brown, "Random Number
 /// Generation with Arbitrary Strides", 1994).

@@ -9,6 +9,7 @@
 #include "render/stopwatch.h"
 #include "render/variance.h"
 #include "scene/layers.h"
+#include "shared/slots.h"
 
 namespace laver {
 namespace {
@@ -182,20 +183,13 @@ class Loop {
                        task_.options.threads);
   }
 
-  /// The slots are those of sampleSlot() in shaders/resources.glsl.
   void addVariances(const shared::Pass& pass) {
     const Frame::Traced traced = frame_.traced();
     const glm::uvec4 region = pass.region;
-    const std::size_t perRow = (region.z + shared::SLOT_COLUMNS - 1) / shared::SLOT_COLUMNS;
-    const std::size_t perBlock =
-        std::size_t{std::min(pass.sampleCount, shared::GATHER_SAMPLES)} * shared::SLOT_COLUMNS;
     const auto at = [&](int x, int y, std::uint32_t s) -> PixelVariances::Sample {
-      const std::size_t column = static_cast<std::size_t>(x) - region.x;
-      const std::size_t row = std::size_t{s / shared::GATHER_SAMPLES} * region.w +
-                              static_cast<std::size_t>(y) - region.y;
-      const std::size_t slot = (row * perRow + column / shared::SLOT_COLUMNS) * perBlock +
-                               std::size_t{s % shared::GATHER_SAMPLES} * shared::SLOT_COLUMNS +
-                               column % shared::SLOT_COLUMNS;
+      const std::uint32_t slot =
+          shared::slotOf(pass.sampleCount, region, static_cast<std::uint32_t>(x) - region.x,
+                         static_cast<std::uint32_t>(y) - region.y, s);
       const glm::vec4 value = traced.values[slot];
       return {{value.w, traced.inY[slot]}, glm::dvec3(value), value.w != shared::DROPPED};
     };

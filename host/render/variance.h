@@ -18,6 +18,8 @@ namespace laver {
 /// value and a_i = w_i (L_i - m), the variance is therefore, to first order in the sum of weights,
 /// the sum over the squares of n / (n - 1) (sum a_i^2 - (sum a_i)^2 / n), over (sum w)^2. Samples
 /// that are spread more evenly than independent ones have less than this.
+///
+/// Device and reference share it: it is judged by the spread of many seeds of each.
 class PixelVariances {
  public:
   PixelVariances(std::vector<Strip> strips, const reference::FilterWeights& weights,

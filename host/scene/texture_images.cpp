@@ -81,30 +81,33 @@ void buildImageTexture(const Properties& given, std::string_view, Draft& draft) 
   addTexture(given, *texture, draft);
 }
 
-void buildFloatImage(const Properties& given, std::string_view, Draft& draft) {
-  std::optional<Texture> texture = imageOf(given, "filename", draft);
-  if (!texture) return;
-  texture->raw = texture->red = true;
+/// A linear picture by whose `scale` u and v are divided.
+std::optional<Texture> dividedImage(const Properties& given, const char* name, const Draft& draft) {
+  std::optional<Texture> texture = imageOf(given, name, draft);
+  if (!texture) return texture;
+  texture->raw = true;
   texture->scale = inverseScale(given);
+  return texture;
+}
+
+void buildFloatImage(const Properties& given, std::string_view, Draft& draft) {
+  std::optional<Texture> texture = dividedImage(given, "filename", draft);
+  if (!texture) return;
+  texture->red = true;
   addTexture(given, *texture, draft);
 }
 
 // Rows count from the top, and so does v.
 void buildNearest(const Properties& given, std::string_view, Draft& draft) {
-  std::optional<Texture> texture = imageOf(given, "fileName", draft);
+  std::optional<Texture> texture = dividedImage(given, "fileName", draft);
   if (!texture) return;
   texture->row = &textures::nearest;
-  texture->raw = true;
-  texture->scale = inverseScale(given);
   addTexture(given, *texture, draft);
 }
 
 void buildNormalImage(const Properties& given, std::string_view, Draft& draft) {
-  std::optional<Texture> texture = imageOf(given, "filename", draft);
-  if (!texture) return;
-  texture->raw = true;
-  texture->scale = inverseScale(given);
-  addTexture(given, *texture, draft);
+  if (const auto texture = dividedImage(given, "filename", draft))
+    addTexture(given, *texture, draft);
 }
 
 void buildNormalMap(const Properties& given, std::string_view, Draft& draft) {

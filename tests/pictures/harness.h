@@ -152,6 +152,24 @@ inline std::size_t differingFloats(const Image& a, const Image& b) {
   return count;
 }
 
+inline double meanOf(const Image& image) {
+  double sum = 0.0;
+  for (const float value : image.pixels) sum += static_cast<double>(value);
+  return sum / static_cast<double>(image.pixels.size());
+}
+
+/// Share of values that differ by more than a ten-thousandth. Of paths, a sample is another one
+/// where rounding decides otherwise: which side of an edge a ray passes, or whether roulette ends
+/// it. Floats' directions are off by 1e-7, so that a few paths in a thousand do, after some
+/// bounces; a pixel shows the samples of 25 pixels.
+inline double shareBeyond(const Image& image, const Image& wanted) {
+  std::size_t beyond = 0;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    if (!(std::abs(image.pixels[i] - wanted.pixels[i]) <= 1e-4F * (1.0F + wanted.pixels[i])))
+      ++beyond;
+  return static_cast<double>(beyond) / static_cast<double>(image.pixels.size());
+}
+
 /// Expects the bits of `image` from every traversal.
 inline void expectSameByAll(const Image& image, const Scene& scene) {
   for (const std::string& traversal : traversals())

@@ -163,23 +163,12 @@ Scene glowing(const char* integrator) {
   return scene;
 }
 
-double meanOf(const Image& image) {
-  double sum = 0.0;
-  for (const float value : image.pixels) sum += static_cast<double>(value);
-  return sum / static_cast<double>(image.pixels.size());
-}
-
 TEST(TexturedLights, ShowAndSendWhatTheTwinDoes) {
   for (const char* integrator : {"direct_ems", "direct_mats", "path_mis"}) {
     SCOPED_TRACE(integrator);
     const Scene scene = glowing(integrator);
     const Image image = render(scene), wanted = Reference(scene).render().image;
-    std::size_t beyond = 0;
-    // Of a path or a checker's field, rounding decides in a few pixels (tests/pictures/paths.cpp).
-    for (std::size_t i = 0; i < image.pixels.size(); ++i)
-      if (!(std::abs(image.pixels[i] - wanted.pixels[i]) <= 1e-4F * (1.0F + wanted.pixels[i])))
-        ++beyond;
-    EXPECT_LE(beyond, image.pixels.size() * 3 / 100);
+    EXPECT_LE(shareBeyond(image, wanted), 0.03);
     EXPECT_GT(meanOf(image), 0.01);
   }
 }

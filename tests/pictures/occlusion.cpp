@@ -22,12 +22,6 @@ Scene insideASphere(const IntegratorRow& integrator) {
   return scene;
 }
 
-double mean(const Image& image) {
-  double sum = 0;
-  for (const float v : image.pixels) sum += static_cast<double>(v);
-  return sum / static_cast<double>(image.pixels.size());
-}
-
 TEST(Occlusion, EveryLengthEqualsTheReference) {
   Scene scene = insideASphere(integrators::averageVisibility);
   double before = 1.0;
@@ -35,13 +29,13 @@ TEST(Occlusion, EveryLengthEqualsTheReference) {
     SCOPED_TRACE(length);
     scene.integrator.set("length", length);
     expectTraversalsMatch(scene, 1e-4);
-    const double now = mean(render(scene));
+    const double now = meanOf(render(scene));
     EXPECT_LE(now, before);
     before = now;
   }
   EXPECT_EQ(before, 0.0);  // nothing leaves the sphere
   scene.integrator.set("length", 1e-9);
-  EXPECT_GT(mean(render(scene)), 0.999);
+  EXPECT_GT(meanOf(render(scene)), 0.999);
 }
 
 TEST(Occlusion, AmbientOcclusionFromOutsideEqualsTheReference) {
@@ -49,7 +43,7 @@ TEST(Occlusion, AmbientOcclusionFromOutsideEqualsTheReference) {
   scene.meshes.erase(scene.meshes.begin());
   scene.meshes.push_back(bumpySphere(12, 20, 0.2, glm::dvec3(1.0, 0.5, 0.4)));
   expectTraversalsMatch(scene, 1e-4);
-  EXPECT_GT(mean(render(scene)), 0.1);
+  EXPECT_GT(meanOf(render(scene)), 0.1);
 }
 
 TEST(Occlusion, LengthIsInSceneUnits) {

@@ -57,24 +57,7 @@ std::vector<const IntegratorRow*> bouncing() {
   return rows;
 }
 
-double meanOf(const Image& image) {
-  double sum = 0.0;
-  for (const float value : image.pixels) sum += static_cast<double>(value);
-  return sum / static_cast<double>(image.pixels.size());
-}
-
 class Paths : public testing::TestWithParam<const IntegratorRow*> {};
-
-/// A sample is another one where rounding decides otherwise: which side of an edge a ray passes, or
-/// whether roulette ends it. Floats' directions are off by 1e-7, so that a few paths in a thousand
-/// do, after some bounces; a pixel shows the samples of 25 pixels.
-double shareBeyond(const Image& image, const Image& wanted) {
-  std::size_t beyond = 0;
-  for (std::size_t i = 0; i < image.pixels.size(); ++i)
-    if (!(std::abs(image.pixels[i] - wanted.pixels[i]) <= 1e-4F * (1.0F + wanted.pixels[i])))
-      ++beyond;
-  return static_cast<double>(beyond) / static_cast<double>(image.pixels.size());
-}
 
 void expectPathsOfTheTwin(const Scene& scene) {
   const Image image = render(scene);

@@ -35,6 +35,14 @@ class TemporaryFolder {
     return path(name);
   }
 
+  /// A text without the folder in it.
+  std::string withoutPath(std::string text) const {
+    const std::string before = path_.string() + "/";
+    for (std::size_t at; (at = text.find(before)) != std::string::npos;)
+      text.erase(at, before.size());
+    return text;
+  }
+
   /// Names of all entries, including hidden ones.
   std::set<std::string> names() const {
     std::set<std::string> names;

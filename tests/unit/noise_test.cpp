@@ -28,8 +28,8 @@ class Noisy {
 
 TEST(NoiseTest, EqualExpectationsFailAsOftenAsTheSignificanceSays) {
   Noisy noisy;
-  // Half of the significance is the means', who are independent here in the three channels: 10 of
-  // 200 at 0.1, with a standard deviation of 3. All pixels must agree for the other half.
+  // Each of the two tests has half of the significance: with 0.1, it fails in 10 of 200, with a
+  // standard deviation of 3. The three channels are independent here.
   int byMeans = 0, byPixels = 0;
   for (int i = 0; i < 200; ++i) {
     const NoiseTest test = testNoise(noisy.picture(), noisy.picture(), {0.1, 1.0}, 2);
@@ -43,9 +43,9 @@ TEST(NoiseTest, EqualExpectationsFailAsOftenAsTheSignificanceSays) {
   EXPECT_GT(byMeans + byPixels, 0);
 }
 
-TEST(NoiseTest, AHundredthLessLightIsFoundByTheMeans) {
-  // 48 pixels of three channels, of 0.14 standard deviations of the difference: 0.02 of the mean.
-  // At 0.07 all is found, which no pixel shows by itself.
+TEST(NoiseTest, ATenthLessLightIsFoundByTheMeansAlone) {
+  // The difference of two pixels has a standard deviation of 0.14, and its mean over the 48 pixels
+  // that share no samples one of 0.02. A tenth is five of these, but less than one of a pixel's.
   Noisy noisy;
   for (int i = 0; i < 20; ++i) {
     const NoiseTest test = testNoise(noisy.picture(0.90), noisy.picture(), {}, 2);

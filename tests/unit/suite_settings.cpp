@@ -19,11 +19,7 @@ class SuiteSettings : public testing::Test {
       read(text);
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ExitCode::Scene);
-      std::string all = error.what();
-      const std::string before = folder_.path().string() + "/";
-      for (std::size_t at; (at = all.find(before)) != std::string::npos;)
-        all.erase(at, before.size());
-      return all;
+      return folder_.withoutPath(error.what());
     }
     return "none";
   }

@@ -15,7 +15,7 @@
 #include "image/io.h"
 #include "image/picture.h"
 #include "lab/process.h"
-#include "lab/suite/scratch.h"
+#include "lab/scratch.h"
 #include "scene/text_source.h"
 
 namespace laver::suite {

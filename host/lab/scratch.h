@@ -5,13 +5,13 @@
 
 #include "core/error.h"
 
-namespace laver::suite {
+namespace laver {
 
-/// A folder for the files of one test, which is removed with the object.
+/// A folder for temporary files, which is removed with the object.
 class Scratch {
  public:
   Scratch() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "laver-test-XXXXXX").string();
+    std::string pattern = (std::filesystem::temp_directory_path() / "laver-XXXXXX").string();
     if (::mkdtemp(pattern.data()) == nullptr)
       throw Error(ExitCode::Output, "no temporary folder: \"" + pattern + "\"");
     path_ = pattern;
@@ -29,4 +29,4 @@ class Scratch {
   std::filesystem::path path_;
 };
 
-}  // namespace laver::suite
+}  // namespace laver
