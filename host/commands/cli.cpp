@@ -194,6 +194,9 @@ void addTest(CLI::App& app, TestCommand& command) {
   addThreads(app, command.threads);
   app.add_flag("--reference", command.reference, "render in double precision on the CPU");
   app.add_option("--jobs", command.jobs, "tests that run at once")->check(CLI::Range(1U, 1024U));
+  app.add_option("--timeout", command.timeout, "seconds that a test may take")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   app.add_flag("--accept", command.accept,
                "write the expected pictures of tests that have none or fail");
   app.add_flag("--allow-skip", command.allowSkip, "without a Vulkan device, skip tests");

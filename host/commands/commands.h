@@ -94,6 +94,7 @@ struct TestCommand {
   unsigned threads = 0;
   bool reference = false;
   std::size_t jobs = 1;     ///< tests that run at once
+  double timeout = 600.0;   ///< seconds that each may take
   bool accept = false;      ///< write expected pictures
   bool allowSkip = false;   ///< without a device, tests are skipped
   std::string junit, html;  ///< files to write; empty: none

@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cstdlib>
+#include <array>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -76,17 +75,6 @@ void writeDifference(const CompareCommand& command, const Image& a, const Image&
   writePng((folder / "difference.png").string(), drawDistances(pixels, a.width, a.height));
 }
 
-/// The largest filter of the two files, in pixels; of files that do not say, that of Nori's.
-int reachOf(const CompareCommand& command) {
-  int reach = 0;
-  for (const std::string& file : {command.a, command.b}) {
-    const auto attributes = readExrTexts(file);
-    const auto found = attributes.find("filterReach");
-    reach = std::max(reach, found == attributes.end() ? 2 : std::atoi(found->second.c_str()));
-  }
-  return reach;
-}
-
 std::string textOf(const CompareCommand& command, const NoiseTest& test) {
   if (command.json) {
     nlohmann::ordered_json json = {{"a", command.a}, {"b", command.b}};
@@ -124,7 +112,8 @@ void writeNoise(const CompareCommand& command, const NoiseTest& test, const Imag
 }
 
 ExitCode runNoise(const CompareCommand& command, const Image& a, const Image& b) {
-  const NoiseTest test = testNoise(a, b, command.limits, reachOf(command));
+  const std::array files = {command.a, command.b};
+  const NoiseTest test = testNoise(a, b, command.limits, filterReachOf(files));
   std::cout << textOf(command, test);
   flushStandardOutput();
   if (!command.out.empty()) writeNoise(command, test, a);

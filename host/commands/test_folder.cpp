@@ -61,6 +61,7 @@ ExitCode run(const TestCommand& command) {
   options.options = optionsOf(command);
   options.check = checkOptions;
   options.jobs = command.jobs;
+  options.timeout = command.timeout;
   options.accept = command.accept;
   options.pictures = !command.html.empty();
   options.stopped = Interruption::noted;

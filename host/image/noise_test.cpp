@@ -6,8 +6,10 @@
 #include <array>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
+#include <cstdlib>
 
 #include "core/error.h"
+#include "image/io.h"
 
 namespace laver {
 namespace {
@@ -115,6 +117,16 @@ NoiseTest testNoise(const Image& a, const Image& b, const NoiseLimits& limits, i
   }
   result.passed = result.agree >= limits.pass && result.meanP >= each;
   return result;
+}
+
+int filterReachOf(std::span<const std::string> files) {
+  int reach = 0;
+  for (const std::string& file : files) {
+    const auto attributes = readExrTexts(file);
+    const auto found = attributes.find("filterReach");
+    reach = std::max(reach, found == attributes.end() ? 2 : std::atoi(found->second.c_str()));
+  }
+  return reach;
 }
 
 }  // namespace laver

@@ -1,5 +1,7 @@
 #pragma once
 #include <cstddef>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "image/image.h"
@@ -35,5 +37,9 @@ struct NoiseTest {
 ///
 /// Throws Error(Usage) if sizes differ or channels are missing.
 NoiseTest testNoise(const Image& a, const Image& b, const NoiseLimits& limits, int reach);
+
+/// The largest filter of EXR files that laver wrote, in pixels; of others, that of Nori's filter.
+/// Throws Error(Usage) as readExr() does.
+int filterReachOf(std::span<const std::string> files);
 
 }  // namespace laver

@@ -149,6 +149,59 @@ TEST_F(Suite, SettingsAreThoseOfTheRenderAndOfTheBound) {
       << wrong.out;
 }
 
+// Openness over a ground with an occluder, in front of a pixel or two of background.
+std::string noisyScene(const std::string& length) {
+  return "<scene><integrator type=\"av\"><float name=\"length\" value=\"" + length +
+         "\"/></integrator><camera type=\"perspective\"><rfilter type=\"box\"/>"
+         "<integer name=\"width\" value=\"24\"/><integer name=\"height\" value=\"16\"/>"
+         "<transform name=\"toWorld\"><lookat origin=\"0,0,4\" target=\"0,0,0\" up=\"0,1,0\"/>"
+         "</transform></camera><mesh type=\"sphere\"/><mesh type=\"sphere\"><point name=\"center\" "
+         "value=\"0,-3,0\"/><float name=\"radius\" value=\"2\"/></mesh></scene>";
+}
+
+// Pictures of other seeds and numbers of samples, and one whose openness has changed.
+TEST_F(Suite, NoiseIsNoDifferenceButAnotherExpectationIs) {
+  write("t/a.xml", noisyScene("3"));
+  ASSERT_EQ(laver("t/a.xml --reference -q --layers variance --spp 256 -o t/a.expected.exr").code,
+            0);
+  write("t/a.test.json", "{\"metric\": \"noise\", \"seed\": 7, \"samples\": 64}");
+  const Outcome same = laver("test t --device $device --html h.html");
+  EXPECT_EQ(same.code, 0) << same.out << same.err;
+  EXPECT_NE(same.out.find("  noise: 100 % of the pixels agree, 99.75 % must; mean "),
+            std::string::npos)
+      << same.out;
+  EXPECT_EQ(countOf(contents(folder_ / "h.html"), "src=\"data:image/png;base64,iVBOR"), 3);
+  write("t/a.xml", noisyScene("0.5"));
+  const Outcome other = laver("test t --device $device");
+  EXPECT_EQ(other.code, 5) << other.out;
+  EXPECT_NE(other.out.find("the least likely pixel is ("), std::string::npos) << other.out;
+  EXPECT_EQ(laver("test t --device $device --accept").code, 0);
+  EXPECT_EQ(laver("test t --device $device").code, 0);
+}
+
+TEST_F(Suite, NoiseNeedsVariancesInTheExpectedPicture) {
+  write("t/a.test.json", "{\"metric\": \"noise\", \"samples\": 2}");
+  writeTest("a", noisyScene("3"), noisyScene("3"));
+  const Outcome none = laver("test t --reference");
+  EXPECT_EQ(none.code, 5);
+  EXPECT_NE(none.out.find("variance.R is missing: render with --layers variance"),
+            std::string::npos)
+      << none.out;
+  fs::remove(folder_ / "t/a.expected.exr");
+  const Outcome png = laver("test t --reference");
+  EXPECT_EQ(png.code, 5);
+  EXPECT_NE(png.out.find("the metric noise needs an expected EXR file"), std::string::npos)
+      << png.out;
+}
+
+TEST_F(Suite, ATestThatIsNotDoneInTimeFails) {
+  writeTest("a", sceneOf("normals"), sceneOf("normals"));
+  write("t/a.test.json", "{\"samples\": 1000000, \"size\": \"512x512\"}");
+  const Outcome run = laver("test t --reference --timeout 0.5");
+  EXPECT_EQ(run.code, 5) << run.err;
+  EXPECT_NE(run.out.find("s: not done after 0.5 s (--timeout)\n"), std::string::npos) << run.out;
+}
+
 TEST_F(Suite, AnExpectedPictureMayBeAPng) {
   write("t/a.xml", sceneOf("normals"));
   ASSERT_EQ(laver("t/a.xml --reference -q -o t/a.expected.exr").code, 0);

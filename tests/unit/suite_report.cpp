@@ -15,7 +15,7 @@ suite::Result resultOf(const std::string& name, Verdict verdict, std::optional<d
   result.name = name;
   result.verdict = verdict;
   result.seconds = 0.5;
-  if (figure) result.figure = suite::Figure{suite::kDefaultBound, *figure};
+  if (figure) result.figure = suite::figureOf(*figure, suite::kDefaultBound);
   return result;
 }
 
@@ -46,11 +46,26 @@ TEST(SuiteReport, AResultIsOneLine) {
 }
 
 TEST(SuiteReport, AShareOfPixelsNamesBothNumbers) {
-  suite::Result result = resultOf("a.xml", Verdict::Passed, 0.25);
-  result.figure->bound = {"max", 0.5, 0.25};
+  suite::Result result = resultOf("a.xml", Verdict::Passed, {});
+  result.figure = suite::figureOf(0.25, Bound{"max", 0.5, 0.25});
   EXPECT_EQ(suite::lineOf(result),
             "passed   a.xml  0.50 s  share beyond 0.5: 0.25, tolerance 0.25");
-  EXPECT_TRUE(result.figure->isWithin());
+  EXPECT_TRUE(result.figure->within);
+}
+
+TEST(SuiteReport, NoiseNamesBothTestsAndTheWorseOneCounts) {
+  NoiseTest test;
+  test.agree = 0.99;
+  test.meanP = 0.2;
+  test.meanDifference = -0.005;
+  test.passed = false;
+  const suite::Figure pixels = suite::figureOf(test, {.significance = 0.01, .pass = 0.995});
+  EXPECT_EQ(pixels.text, "noise: 99 % of the pixels agree, 99.5 % must; mean -0.5 %, p 0.2");
+  EXPECT_FALSE(pixels.within);
+  EXPECT_NEAR(pixels.share, 2.0, 1e-9);
+  test.agree = 1.0;
+  test.meanP = 0.001;
+  EXPECT_NEAR(suite::figureOf(test, {.significance = 0.01, .pass = 0.995}).share, 5.0, 1e-9);
 }
 
 TEST(SuiteReport, JUnitIsWellFormedAndCounts) {

@@ -54,7 +54,8 @@ TEST_F(SuiteSettings, BecomeABoundAndOptionsOfARender) {
 TEST_F(SuiteSettings, UnknownKeysHaveAPositionAndTheNearestName) {
   EXPECT_EQ(errors("{\"seed\": 1,\n  \"layers\": [\"uv\"], \"smaples\": 3}"),
             "a.test.json:2:21: error: unknown key \"smaples\", expected \"metric\", \"tolerance\", "
-            "\"maxShare\", \"samples\", \"seed\", \"size\", \"crop\", \"integrator\", \"sampler\", "
+            "\"maxShare\", \"significance\", \"pass\", \"samples\", \"seed\", \"size\", \"crop\", "
+            "\"integrator\", \"sampler\", "
             "\"filter\", \"layers\", \"error\", \"dialect\" or \"noriCompat\" (nearest: "
             "\"samples\")");
   EXPECT_EQ(
@@ -76,6 +77,32 @@ TEST_F(SuiteSettings, AllErrorsAreReported) {
 TEST_F(SuiteSettings, AMetricNeedsATolerance) {
   EXPECT_EQ(errors("{\n \"metric\": \"rmse\"}"),
             "a.test.json:2:2: error: a \"metric\" needs a \"tolerance\"");
+}
+
+TEST_F(SuiteSettings, NoiseRendersVariancesAndHasItsOwnLimits) {
+  const suite::Settings defaults = read("{\"metric\": \"noise\"}");
+  ASSERT_TRUE(defaults.noise);
+  EXPECT_EQ(defaults.noise->significance, 0.01);
+  EXPECT_EQ(defaults.noise->pass, 0.9975);
+  EXPECT_EQ(defaults.options, std::vector<std::string>{"--layers=variance"});
+  const suite::Settings given = read(
+      "{\"pass\": 1, \"significance\": 0.05, \"metric\": \"noise\", \"layers\": [\"uv\", "
+      "\"depth\"]}");
+  EXPECT_EQ(given.noise->significance, 0.05);
+  EXPECT_EQ(given.noise->pass, 1.0);
+  EXPECT_EQ(given.options, std::vector<std::string>{"--layers=uv,depth,variance"});
+  EXPECT_EQ(read("{\"metric\": \"noise\", \"layers\": \"variance\"}").options,
+            std::vector<std::string>{"--layers=variance"});
+  EXPECT_FALSE(read("{\"metric\": \"p99\", \"tolerance\": 1}").noise);
+}
+
+TEST_F(SuiteSettings, KeysOfNoiseAndOfOtherMetricsDoNotMix) {
+  EXPECT_EQ(errors("{\"metric\": \"noise\",\n \"tolerance\": 1}"),
+            "a.test.json:2:2: error: \"tolerance\" is not for the metric \"noise\"");
+  EXPECT_EQ(errors("{\"pass\": 1}"),
+            "a.test.json:1:2: error: \"pass\" is for the metric \"noise\"");
+  EXPECT_EQ(errors("{\"metric\": \"noise\", \"significance\": 0}"),
+            "a.test.json:1:37: error: \"significance\": expected a number between 0 and 1");
 }
 
 TEST_F(SuiteSettings, TextThatIsNoJsonHasAPosition) {

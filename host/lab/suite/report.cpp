@@ -37,7 +37,7 @@ void addCase(pugi::xml_node suite, const Result& result, const std::string& fold
   node.append_attribute("name") = name.substr(slash + 1).c_str();
   node.append_attribute("time") = inSeconds(result.seconds).c_str();
   const std::string reason = printable(result.reason);
-  const std::string figure = result.figure ? result.figure->text() : "";
+  const std::string figure = result.figure ? result.figure->text : "";
   if (result.verdict == Verdict::Skipped)
     node.append_child("skipped").append_attribute("message") = reason.c_str();
   if (result.verdict == Verdict::Failed) {
@@ -88,7 +88,7 @@ std::string printable(const std::string& text) {
 std::string lineOf(const Result& result) {
   std::string line =
       fmt::format("{:<7}  {}  {:.2f} s", nameOf(result.verdict), result.name, result.seconds);
-  if (result.figure) line += "  " + result.figure->text();
+  if (result.figure) line += "  " + result.figure->text;
   if (!result.change.empty()) line.append("  ").append(firstLine(result.change));
   if (!result.reason.empty()) line.append(": ").append(firstLine(result.reason));
   std::string whole = printable(line);

@@ -62,7 +62,7 @@ std::string sectionOf(const Result& result) {
   const std::string verdict = nameOf(result.verdict);
   std::string html = fmt::format("<section class=\"{0}\">\n<h2>{1}: {0}</h2>\n<p>{2:.2f} s",
                                  verdict, escaped(result.name), result.seconds);
-  if (result.figure) html += "; " + escaped(result.figure->text());
+  if (result.figure) html += "; " + escaped(result.figure->text);
   if (!result.change.empty()) html += "; expected picture " + escaped(result.change);
   html += "</p>\n";
   if (!result.reason.empty()) html += "<p>" + escaped(result.reason) + "</p>\n";
@@ -78,9 +78,7 @@ std::string sectionOf(const Result& result) {
 double severity(const Result& result) {
   constexpr double kWorst = std::numeric_limits<double>::infinity();
   if (!result.figure) return result.verdict == Verdict::Failed ? kWorst : 0.0;
-  const double limit = limitOf(result.figure->bound);
-  if (limit == 0.0) return result.figure->value == 0.0 ? 0.0 : kWorst;
-  return result.figure->value / limit;
+  return result.figure->share;
 }
 
 /// Whether a is worse than b: failed before skipped before passed.

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <exception>
+#include <limits>
 #include <span>
 #include <sstream>
 #include <variant>
@@ -22,6 +24,10 @@ namespace laver::suite {
 namespace {
 
 namespace fs = std::filesystem;
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
 
 std::string bytesOf(const std::string& file) {
   xml::FileText read = xml::readFile(file);
@@ -88,8 +94,16 @@ class Run {
     command.insert(command.end(), options_.options.begin(), options_.options.end());
     command.insert(command.end(), more.begin(), more.end());
     const std::string output = scratch_.file("output.txt");
-    ProcessRun run = runProcess(std::move(command), output, options_.stopped);
+    const auto start = std::chrono::steady_clock::now();
+    bool late = false;
+    ProcessRun run = runProcess(std::move(command), output, [&] {
+      late = late || secondsSince(start) > options_.timeout;
+      return late || options_.stopped();
+    });
     result_.output = run.errorOutput + bytesOf(output);
+    if (late)
+      throw Error(ExitCode::Output,
+                  fmt::format("not done after {:g} s (--timeout)", options_.timeout));
     return run;
   }
 
@@ -109,6 +123,9 @@ class Run {
   void comparePicture() {
     Settings settings;
     if (!test_.settings.empty()) settings = readSettings(test_.settings.string(), options_.check);
+    if (settings.noise && test_.expected.extension() == ".png")
+      throw Error(ExitCode::Usage,
+                  "the metric noise needs an expected EXR file, PNG has no variances");
     const bool exists = fs::exists(test_.expected);
     if (!exists && !options_.accept)
       throw Error(ExitCode::Usage, "no expected picture; --accept writes one");
@@ -122,34 +139,56 @@ class Run {
     if (options_.pictures) result_.actual = pngOf(actual);
     if (!exists) return accept("new");
     try {
-      judge(actual, settings.bound);
+      judge(actual, settings);
     } catch (const Error& error) {
       result_.reason = error.what();
     }
     if (!options_.accept) return;
     if (result_.verdict == Verdict::Failed)
-      accept("replaced, before: " + (result_.figure ? result_.figure->text() : result_.reason));
+      accept("replaced, before: " + (result_.figure ? result_.figure->text : result_.reason));
     else
       result_.change = "unchanged";
   }
 
-  void judge(const Image& actual, const Bound& bound) {
+  void judge(const Image& actual, const Settings& settings) {
     const Image expected = imageOf(test_.expected);
     if (options_.pictures) result_.expected = pngOf(expected);
-    const Measured measured = measure(actual, expected, bound);
-    if (actual.window != expected.window)
+    const bool sameSize = actual.width == expected.width && actual.height == expected.height;
+    if (sameSize && actual.window != expected.window)
       throw Error(ExitCode::Usage, "the pictures are different parts of a film");
+    const std::vector<double> pixels = settings.noise
+                                           ? judgeNoise(actual, expected, *settings.noise)
+                                           : judgeDistance(actual, expected, settings.bound);
     if (options_.pictures)
-      result_.difference = encodePng(drawDistances(measured.pixels, actual.width, actual.height));
-    result_.figure = Figure{bound, figureOf(measured, bound)};
-    if (result_.figure->isWithin()) {
+      result_.difference = encodePng(drawDistances(pixels, actual.width, actual.height));
+    if (result_.figure->within) {
       result_.verdict = Verdict::Passed;
       return;
     }
-    const auto worst = std::ranges::max_element(measured.pixels);
-    const auto index = static_cast<int>(worst - measured.pixels.begin());
-    result_.reason = fmt::format("the largest difference is {:.3g}, at pixel ({}, {})", *worst,
-                                 index % actual.width, index / actual.width);
+    const auto worst = std::ranges::max_element(pixels);
+    const auto index = static_cast<int>(worst - pixels.begin());
+    result_.reason.append(settings.noise
+                              ? "the least likely pixel is"
+                              : fmt::format("the largest difference is {:.3g}, at pixel", *worst));
+    result_.reason.append(fmt::format(" ({}, {})", index % actual.width, index / actual.width));
+  }
+
+  /// Differences of the pixels.
+  std::vector<double> judgeDistance(const Image& actual, const Image& expected,
+                                    const Bound& bound) {
+    Measured measured = measure(actual, expected, bound);
+    result_.figure = figureOf(laver::figureOf(measured, bound), bound);
+    return std::move(measured.pixels);
+  }
+
+  /// 1 - p of the pixels.
+  std::vector<double> judgeNoise(const Image& actual, const Image& expected,
+                                 const NoiseLimits& limits) {
+    const std::array files = {actualFile_.string(), test_.expected.string()};
+    NoiseTest test = testNoise(actual, expected, limits, filterReachOf(files));
+    result_.figure = figureOf(test, limits);
+    for (double& p : test.p) p = 1.0 - p;
+    return std::move(test.p);
   }
 
   void accept(const std::string& change) {
@@ -170,11 +209,27 @@ class Run {
 
 }  // namespace
 
-std::string Figure::text() const {
-  if (bound.maxShare)
-    return fmt::format("share beyond {:g}: {:.3g}, tolerance {:g}", bound.tolerance, value,
-                       *bound.maxShare);
-  return fmt::format("{} {:.3g}, tolerance {:g}", bound.metric, value, bound.tolerance);
+Figure figureOf(double value, const Bound& bound) {
+  const double limit = limitOf(bound), infinite = std::numeric_limits<double>::infinity();
+  Figure figure;
+  figure.within = value <= limit;
+  figure.share = limit > 0.0 ? value / limit : value > 0.0 ? infinite : 0.0;
+  figure.text = bound.maxShare ? fmt::format("share beyond {:g}: {:.3g}, tolerance {:g}",
+                                             bound.tolerance, value, *bound.maxShare)
+                               : fmt::format("{} {:.3g}, tolerance {:g}", bound.metric, value,
+                                             bound.tolerance);
+  return figure;
+}
+
+Figure figureOf(const NoiseTest& test, const NoiseLimits& limits) {
+  Figure figure = figureOf(1.0 - test.agree, Bound{"share", 1.0 - limits.pass, {}});
+  // Both tests share the significance.
+  figure.share = std::max(figure.share, 0.5 * limits.significance / test.meanP);
+  figure.within = test.passed;
+  figure.text =
+      fmt::format("noise: {:.4g} % of the pixels agree, {:.4g} % must; mean {:+.2g} %, p {:.2g}",
+                  100.0 * test.agree, 100.0 * limits.pass, 100.0 * test.meanDifference, test.meanP);
+  return figure;
 }
 
 Result runTest(const Test& test, const Options& options) {
@@ -191,7 +246,7 @@ Result runTest(const Test& test, const Options& options) {
   } catch (const std::exception& error) {
     result.reason = error.what();
   }
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.seconds = secondsSince(start);
   return result;
 }
 

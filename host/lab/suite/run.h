@@ -15,6 +15,7 @@ struct Options {
   std::vector<std::string> options;  ///< of every render
   CheckOptions check;
   std::size_t jobs = 1;           ///< tests that run at once
+  double timeout = 600.0;         ///< seconds that a test may take
   bool accept = false;            ///< write expected pictures that are missing or differ
   bool pictures = false;          ///< keep pictures in the results
   std::string skip;               ///< why every test is skipped; empty: none is
@@ -25,13 +26,12 @@ enum class Verdict { Passed, Failed, Skipped };
 
 /// The difference of a picture from the expected one.
 struct Figure {
-  Bound bound;
-  double value = 0.0;
-
-  bool isWithin() const { return value <= limitOf(bound); }
-  /// For example "p99 2e-07, tolerance 0.001".
-  std::string text() const;
+  std::string text;    ///< for example "p99 2e-07, tolerance 0.001"
+  double share = 0.0;  ///< of what is tolerated
+  bool within = true;
 };
+Figure figureOf(double value, const Bound& bound);
+Figure figureOf(const NoiseTest& test, const NoiseLimits& limits);
 
 struct Result {
   std::string name;

@@ -40,10 +40,12 @@ constexpr std::array kKeys = {
     Key{"dialect", "--dialect", Key::Kind::Text},
     Key{"noriCompat", "--nori-compat", Key::Kind::Flag},
 };
-constexpr std::string_view kMetric = "metric", kTolerance = "tolerance", kMaxShare = "maxShare";
+constexpr std::string_view kMetric = "metric", kTolerance = "tolerance", kMaxShare = "maxShare",
+                           kNoise = "noise", kSignificance = "significance", kPass = "pass";
+constexpr std::string_view kLayers = "--layers=";
 
 std::vector<std::string_view> allNames() {
-  std::vector<std::string_view> names = {kMetric, kTolerance, kMaxShare};
+  std::vector<std::string_view> names = {kMetric, kTolerance, kMaxShare, kSignificance, kPass};
   for (const Key& key : kKeys) names.push_back(key.name);
   return names;
 }
@@ -91,9 +93,17 @@ class Reader {
         take(place, all.at(place.key));
     }
     const auto metric = std::ranges::find(places_, kMetric, &Place::key);
-    if (metric != places_.end() && !seen.contains(std::string(kTolerance)))
+    if (!noise_ && metric != places_.end() && !seen.contains(std::string(kTolerance)))
       diagnostics_.error(metric->keyAt, "a \"metric\" needs a \"tolerance\"");
+    for (const Place& place : places_)
+      if (belongsToNoise(place.key) ? !noise_ : noise_ && belongsToBound(place.key))
+        diagnostics_.error(place.keyAt, fmt::format("\"{}\" is {} the metric \"noise\"", place.key,
+                                                    noise_ ? "not for" : "for"));
     diagnostics_.throwErrors();
+    if (noise_) {
+      settings_.noise = limits_;
+      renderVariances();
+    }
     return settings_;
   }
 
@@ -133,14 +143,40 @@ class Reader {
     }
   }
 
+  static bool belongsToNoise(std::string_view key) { return key == kSignificance || key == kPass; }
+  static bool belongsToBound(std::string_view key) { return key == kTolerance || key == kMaxShare; }
+
+  void renderVariances() {
+    for (std::string& option : settings_.options) {
+      if (!option.starts_with(kLayers)) continue;
+      if ((option + ",").find("variance,") == std::string::npos) option += ",variance";
+      return;
+    }
+    settings_.options.push_back(std::string(kLayers) + "variance");
+  }
+
+  void takeMetric(const std::string& name) {
+    const std::vector<std::string> names = metricNames();
+    std::vector<std::string_view> known(names.begin(), names.end());
+    known.push_back(kNoise);
+    if (std::ranges::find(known, name) == known.end())
+      throw Error(ExitCode::Usage, "expected " + xml::expectedNames(name, known));
+    noise_ = name == kNoise;
+    if (!noise_) settings_.bound.metric = name;
+  }
+
   bool takeBound(const std::string& key, const json& value) {
     Bound& bound = settings_.bound;
     if (key == kMetric) {
-      bound.metric = text(value);
-      const std::vector<std::string> names = metricNames();
-      const std::vector<std::string_view> known(names.begin(), names.end());
-      if (std::ranges::find(names, bound.metric) == names.end())
-        throw Error(ExitCode::Usage, "expected " + xml::expectedNames(bound.metric, known));
+      takeMetric(text(value));
+    } else if (key == kSignificance) {
+      limits_.significance = number(value);
+      if (!(limits_.significance > 0.0 && limits_.significance < 1.0))
+        throw Error(ExitCode::Usage, "expected a number between 0 and 1");
+    } else if (key == kPass) {
+      limits_.pass = number(value);
+      if (limits_.pass < 0.0 || limits_.pass > 1.0)
+        throw Error(ExitCode::Usage, "expected a number from 0 to 1");
     } else if (key == kTolerance) {
       bound.tolerance = number(value);
       if (bound.tolerance < 0.0) throw Error(ExitCode::Usage, "expected a number of 0 or more");
@@ -203,6 +239,8 @@ class Reader {
   xml::Diagnostics diagnostics_;
   std::vector<Place> places_;
   Settings settings_;
+  bool noise_ = false;  ///< the metric
+  NoiseLimits limits_;
 };
 
 }  // namespace
@@ -218,8 +256,11 @@ std::string help() {
       "Metrics are those of laver compare. Without a metric, it is {} with the tolerance {:g}, a\n"
       "quarter of a step of an 8-bit picture: one pixel in a hundred may have a sample that "
       "another\n"
-      "driver's rounding puts on the other side of an edge. \"size\" is \"WxH\", \"layers\" an "
-      "array.\n"
+      "driver's rounding puts on the other side of an edge. The metric \"noise\" is the test of\n"
+      "laver compare --noise, with its \"significance\" and \"pass\"; both pictures then have\n"
+      "variances, and need neither the same seed nor the same number of samples. \"size\" is "
+      "\"WxH\",\n"
+      "\"layers\" an array.\n"
       "\n"
       "Exit code: 0 if no test failed, 5 if one did, 4 without a device, 2 without a test.",
       fmt::join(allNames(), ", "), kDefaultBound.metric, kDefaultBound.tolerance);

@@ -1,9 +1,11 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "image/measure.h"
+#include "image/noise_test.h"
 
 namespace laver::suite {
 
@@ -16,6 +18,7 @@ inline const Bound kDefaultBound = {"p99", 1e-3, {}};
 /// How a scene is rendered and judged as a test.
 struct Settings {
   Bound bound = kDefaultBound;
+  std::optional<NoiseLimits> noise;  ///< in place of the bound; the options render variances
   std::vector<std::string> options;  ///< of `laver SCENE.xml`
 };
 
