@@ -1,10 +1,10 @@
-# The target chart: charts of error against time for two scenes, with Mitsuba 3 if it is installed.
+# The target chart: charts of error against time for three scenes, with Mitsuba 3 if it is installed.
 # It takes some minutes and writes the pictures of the README.
 set(LAVER_MITSUBA_PYTHON python3 CACHE STRING
   "Python in which Mitsuba 3 is installed, for charts (pip install mitsuba)")
 set(mitsuba "env ${LAVER_MITSUBA_PYTHON} tests/bench/mitsuba_peer.py --variant")
 set(charts "")
-foreach(scene bunny-whitted cornell-two-lights)
+foreach(scene bunny-whitted cornell-two-lights box-glass)
   string(REPLACE -two-lights "" name ${scene})
   set(folder ${CMAKE_BINARY_DIR}/chart/${scene})
   list(APPEND charts

@@ -56,6 +56,25 @@ TEST_F(MitsubaPeer, ConvergesToLaversPictureAsFastAsLaver) {
     EXPECT_EQ(stats["samples"]["total"], 64 * 64 * 256);
   }
 }
+
+// Glass, mirror and an area light. Caustics have rare bright samples, so the means are compared.
+// Those of three seeds with 256 samples were 0.2432 to 0.2452: a standard deviation of 0.4 %, 0.2 %
+// with 1,024. 1.2 % is four times that of a difference.
+TEST_F(MitsubaPeer, FollowsPathsToLaversMean) {
+  const std::string common =
+      " '" LAVER_SOURCE_DIR "/scenes/box-glass.xml' --size 64x64 --spp 1024 ";
+  ASSERT_EQ(laver(common + "-o laver.exr --quiet").code, 0);
+  const auto meanOf = [&](const std::string& file) {
+    double sum = 0.0;
+    const Image image = picture(file);
+    for (const float value : image.pixels) sum += double{value};
+    return sum / static_cast<double>(image.pixels.size());
+  };
+  const Outcome run = peer(std::string(LAVER_MITSUBA_PYTHON " ") + kScript + common +
+                           "--variant scalar_rgb -o peer.exr --quiet");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NEAR(meanOf("peer.exr") / meanOf("laver.exr"), 1.0, 0.012);
+}
 #endif
 
 }  // namespace

@@ -3,11 +3,15 @@
 
     mitsuba_peer.py SCENE.xml --variant llvm_ad_rgb --spp 64 -o OUT.exr --stats=OUT.json
 
-Geometry, camera, filter, samples and lights are those of the scene. Supported: `direct_whitted`
-with point lights and plain diffuse surfaces, triangles and spheres. Nori's point light is Mitsuba's:
-radiance / distance^2 arrives. Nori and laver trace a shadow ray to each light; Mitsuba's `direct`
-picks lights at random, which adds noise. So each light is rendered by itself, with the same seed and
-hence the same camera rays, and the pictures are added.
+Geometry, camera, filter, samples and lights are those of the scene. Supported: triangles and spheres,
+diffuse, mirror and dielectric surfaces, point, area and constant lights, by
+
+- `direct_whitted` with point lights and diffuse surfaces. Nori's point light is Mitsuba's: radiance /
+  distance^2 arrives. Nori and laver trace a shadow ray to each light; Mitsuba's `direct` picks lights
+  at random, which adds noise. So each light is rendered by itself, with the same seed and hence the
+  same camera rays, and the pictures are added;
+- `path_mis`: Mitsuba's `path`, which also samples lights and BSDFs and weighs them by a heuristic;
+  Russian roulette starts after three surfaces, as in laver.
 
 Times: `trace` is a second render in the same process, without start, compilation and scene load;
 `process` runs from the start of the process until the first picture is written.
@@ -110,27 +114,45 @@ def has_normals(file):
         return any(line.startswith("vn ") for line in lines)
 
 
-def diffuse(node):
+def rgb(value):
+    return {"type": "rgb", "value": value}
+
+
+def surface(node, kinds):
+    """A BSDF of one of these kinds."""
     if node is None:
-        return {"type": "diffuse", "reflectance": {"type": "rgb", "value": [0.5] * 3}}
-    found = properties(node)
-    if node.get("type") != "diffuse" or node.find("texture") is not None:
-        raise Unsupported(f"only plain diffuse surfaces, not \"{node.get('type')}\" or textures")
+        return {"type": "diffuse", "reflectance": rgb([0.5] * 3)}
+    found, kind = properties(node), node.get("type")
+    if kind not in kinds or node.find("texture") is not None:
+        raise Unsupported(f"a surface of type \"{kind}\" or a texture")
+    if kind == "mirror":
+        refuse_unknown("a surface", found, [])
+        return {"type": "conductor", "material": "none"}
+    if kind == "dielectric":
+        refuse_unknown("a surface", found, ["intIOR", "extIOR"])
+        return {"type": "dielectric", "int_ior": found.get("intIOR", 1.5046),
+                "ext_ior": found.get("extIOR", 1.000277)}
     refuse_unknown("a surface", found, ["albedo"])
-    return {"type": "diffuse",
-            "reflectance": {"type": "rgb", "value": found.get("albedo", [0.5] * 3)}}
+    return {"type": "diffuse", "reflectance": rgb(found.get("albedo", [0.5] * 3))}
 
 
-def shape(mi, node, folder):
+def shape(mi, node, folder, kinds):
     found = properties(node)
-    bsdf = diffuse(node.find("bsdf"))
+    result = {"bsdf": surface(node.find("bsdf"), kinds)}
+    light = node.find("emitter")
+    if light is not None:
+        emitted = properties(light)
+        if light.get("type") != "area" or kinds == ["diffuse"]:
+            raise Unsupported("a mesh that emits light")
+        refuse_unknown("a light", emitted, ["radiance"])
+        result["emitter"] = {"type": "area", "radiance": rgb(emitted["radiance"])}
     if node.get("type") == "obj":
         file = os.path.join(folder, found["filename"])
         return {"type": "obj", "filename": file, "face_normals": not has_normals(file),
-                "to_world": mi.ScalarTransform4f(to_world(node)), "bsdf": bsdf}
+                "to_world": mi.ScalarTransform4f(to_world(node)), **result}
     if node.get("type") == "sphere" and node.find("transform") is None:
         return {"type": "sphere", "center": found.get("center", [0, 0, 0]),
-                "radius": found.get("radius", 1.0), "bsdf": bsdf}
+                "radius": found.get("radius", 1.0), **result}
     raise Unsupported(f"a mesh of type \"{node.get('type')}\"")
 
 
@@ -165,32 +187,46 @@ def sensor(mi, node, size, sampler):
                      "component_format": "float32", "rfilter": reconstruction(node.find("rfilter"))}}
 
 
+def light_of(node):
+    """A light that is not a mesh."""
+    found = properties(node)
+    if node.get("type") == "constant":
+        refuse_unknown("a light", found, ["radiance"])
+        return {"type": "constant", "radiance": rgb(found.get("radiance", [1, 1, 1]))}
+    if node.get("type") not in ("pointlight", "point"):
+        raise Unsupported(f"a light of type \"{node.get('type')}\"")
+    refuse_unknown("a light", found, ["position", "radiance"])
+    return {"type": "point", "position": found.get("position", [0, 100, 0]),
+            "intensity": rgb(found.get("radiance", [1, 1, 1]))}
+
+
+INTEGRATORS = {
+    "direct_whitted": {"type": "direct", "emitter_samples": 1, "bsdf_samples": 0},
+    "path_mis": {"type": "path", "max_depth": -1, "rr_depth": 4},
+}
+
+
 def translate(mi, file, size, sampler):
-    """Mitsuba's scenes of a Nori file, one for each light."""
+    """Mitsuba's scenes of a Nori file: one, or one for each light."""
     root = ElementTree.parse(file).getroot()
     if root.tag != "scene":
         raise Unsupported("the file holds no <scene>")
     integrator = root.find("integrator")
-    if integrator is None or integrator.get("type") != "direct_whitted":
-        raise Unsupported("only the integrator direct_whitted")
+    kind = None if integrator is None else integrator.get("type")
+    if kind not in INTEGRATORS or properties(integrator):
+        raise Unsupported(f"only the integrators {' and '.join(INTEGRATORS)}, without properties")
+    kinds = ["diffuse"] if kind == "direct_whitted" else ["diffuse", "mirror", "dielectric"]
     folder = os.path.dirname(os.path.abspath(file))
-    common = {"type": "scene",
-              "integrator": {"type": "direct", "emitter_samples": 1, "bsdf_samples": 0},
+    common = {"type": "scene", "integrator": INTEGRATORS[kind],
               "sensor": mi.load_dict(sensor(mi, root.find("camera"), size, sampler))}
     for i, node in enumerate(root.findall("mesh")):
-        common[f"shape{i}"] = mi.load_dict(shape(mi, node, folder))
-    scenes = []
-    for light in root.findall("emitter"):
-        found = properties(light)
-        if light.get("type") not in ("pointlight", "point"):
-            raise Unsupported("only point lights")
-        refuse_unknown("a light", found, ["position", "radiance"])
-        light = {"type": "point", "position": found.get("position", [0, 100, 0]),
-                 "intensity": {"type": "rgb", "value": found.get("radiance", [1, 1, 1])}}
-        scenes.append(mi.load_dict({**common, "light": light}))
-    if not scenes:
-        raise Unsupported("a scene without lights is black")
-    return scenes
+        common[f"shape{i}"] = mi.load_dict(shape(mi, node, folder, kinds))
+    lights = [light_of(node) for node in root.findall("emitter")]
+    if kind == "path_mis":
+        return [mi.load_dict({**common, **{f"light{i}": light for i, light in enumerate(lights)}})]
+    if not lights or any(light["type"] != "point" for light in lights):
+        raise Unsupported("direct_whitted without lights, or with others than point lights")
+    return [mi.load_dict({**common, "light": light}) for light in lights]
 
 
 def find_llvm():

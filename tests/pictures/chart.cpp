@@ -9,6 +9,7 @@
 
 #include "image/compare.h"
 #include "image/io.h"
+#include "lab/chart/truth.h"
 #include "pictures/child.h"
 #include "pictures/command_line.h"
 
@@ -31,9 +32,11 @@ class ChartCommandLine : public CommandLine {
       "<string name=\"filename\" value=\"t.obj\"/></mesh></scene>";
 
   Outcome chart(const std::string& more = "") {
-    const std::string samples = more.find("--spp") == std::string::npos ? "--spp 4 " : "";
-    return laver("chart s.xml --out c --size 16x12 --runs 1 --reference-spp 16 --device $device " +
-                 samples + more);
+    const auto unlessGiven = [&](const std::string& name, const std::string& value) {
+      return more.find(name) == std::string::npos ? name + " " + value + " " : "";
+    };
+    return laver("chart s.xml --out c --size 16x12 --runs 1 --device $device " +
+                 unlessGiven("--reference-spp", "16") + unlessGiven("--spp", "4") + more);
   }
   nlohmann::json json() { return nlohmann::json::parse(contents(folder_ / "c/chart.json")); }
   void script(const std::string& name, const std::string& text) {
@@ -91,6 +94,57 @@ TEST_F(ChartCommandLine, TheReferencesErrorIsNearItsEstimate) {
   // Some 30 edge pixels determine an RMSE to a sixth, and the estimate is as uncertain.
   EXPECT_GT(estimate, std::sqrt(squares) * 0.4);
   EXPECT_LT(estimate, std::sqrt(squares) * 2.5);
+}
+
+/// The triangle in the light of a sphere, by paths.
+std::string pathScene() {
+  return "<scene><integrator type=\"path_mis\"/><camera type=\"perspective\"><transform "
+         "name=\"toWorld\"><lookat origin=\"0,0,4\" target=\"0,0,0\" up=\"0,1,0\"/></transform>"
+         "</camera><mesh type=\"obj\"><string name=\"filename\" value=\"t.obj\"/></mesh>"
+         "<mesh type=\"sphere\"><point name=\"center\" value=\"1,1,2\"/><float name=\"radius\" "
+         "value=\"0.3\"/><emitter type=\"area\"><color name=\"radiance\" value=\"5 5 "
+         "5\"/></emitter>"
+         "</mesh></scene>";
+}
+
+TEST_F(ChartCommandLine, OfPathsTakesTheDevicesPictureThatTheReferenceConfirms) {
+  write("s.xml", pathScene());
+  ASSERT_EQ(chart("--reference-spp 256").code, 0) << contents(folder_ / "err.txt");
+  const nlohmann::json all = json();
+  EXPECT_EQ(all["reference"]["origin"].get<std::string>().rfind(
+                "the device, equal to double precision with 16 samples per pixel by a z-test (", 0),
+            0U)
+      << all["reference"]["origin"];
+  std::set<std::string> names;
+  for (const auto& series : all["series"]) {
+    names.insert(series["name"]);
+    const auto& points = series["points"];
+    EXPECT_GT(points.front()["rmse"], points.back()["rmse"]) << series["name"];
+  }
+  EXPECT_TRUE(names.contains("sobol") && names.contains("independent, adaptive"));
+}
+
+// A device that renders another light: here another file for the reference's scene.
+TEST_F(ChartCommandLine, OfPathsTakesTheReferencesPictureWhereTheDevicesIsWrong) {
+  std::string other = pathScene();
+  other.replace(other.find("5 5 5"), 5, "1 5 5");
+  write("s.xml", pathScene());
+  write("device.xml", other);
+  script("wrong",
+         "shift; cd '" + folder_.string() + "'; exec '" LAVER_BINARY "' device.xml \"$@\"\n");
+  chart::Options options;
+  options.scene = path("s.xml");
+  options.folder = folder_.string();
+  options.size = {16, 12};
+  options.device = testDevice();
+  options.truthSamples = 256;
+  options.self = path("wrong");
+  std::string said;
+  options.say = [&](const std::string& line) { said += line; };
+  const chart::Measurement measurement(options);
+  const chart::Truth truth = chart::truthOf(chart::sceneOf(options), options, measurement);
+  EXPECT_EQ(truth.origin, "double precision");
+  EXPECT_EQ(said.rfind("The device's picture is not that of double precision", 0), 0U) << said;
 }
 
 TEST_F(ChartCommandLine, APeerIsMeasuredWithLaver) {

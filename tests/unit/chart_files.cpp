@@ -19,6 +19,7 @@ Chart someChart() {
   chart.scene = "folder/some scene.xml";
   chart.truthSamples = 64;
   chart.truthError = 0.001;
+  chart.truthOrigin = "double precision";
   Series laver{"sobol", "laver", "sobol", false, "", {}};
   for (const int samples : {1, 4}) {
     Point point{
@@ -44,6 +45,7 @@ TEST(ChartJson, HoldsEveryPointAndItsCommand) {
   EXPECT_FALSE(points[0].contains("mismatches"));
   EXPECT_EQ(points[1]["mismatches"]["unexplained"], 2);
   EXPECT_EQ(json["reference"]["samples"], 128);
+  EXPECT_EQ(json["reference"]["origin"], "double precision");
   EXPECT_EQ(json["missing"][0], "another: not installed");
   EXPECT_EQ(json["methods"].size(), 1U);
 }

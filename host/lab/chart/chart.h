@@ -60,12 +60,6 @@ struct Series {
   std::vector<Point> points;
 };
 
-/// A converged picture by the double-precision reference.
-struct Truth {
-  Image image;
-  double error = 0;  ///< estimate of its RMSE: half the RMSE between its two halves
-};
-
 /// The content of the chart's files.
 struct Chart {
   std::string scene, machine, device, driver, date;
@@ -73,6 +67,8 @@ struct Chart {
   int width = 0, height = 0;
   std::uint32_t truthSamples = 0;  ///< per pixel and half
   double truthError = 0;
+  std::string truthOrigin;  ///< what made the converged picture, and how it was tested
+  bool paths = false;       ///< the integrator follows paths
   std::vector<Series> series;
   std::vector<std::string> missing;  ///< one line per missing peer, with the reason
   std::vector<MethodPoint> methods;

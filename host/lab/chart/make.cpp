@@ -9,50 +9,12 @@
 #include "lab/chart/chart.h"
 #include "lab/chart/machine.h"
 #include "lab/chart/measure.h"
-#include "reference/reference.h"
+#include "lab/chart/truth.h"
 
 namespace laver::chart {
 namespace {
 
-/// Reports one part of the work to the observers: progress from share `from` to `to` of the whole.
-class Part : public Observer {
- public:
-  Part(const Options& options, double from, double to)
-      : observers_(options.observers), from_(from), to_(to) {}
-  bool stop() override { return stops(observers_); }
-  void progress(double share, std::uint64_t samples) override {
-    for (Observer* observer : observers_) observer->progress(std::lerp(from_, to_, share), samples);
-  }
-
- private:
-  const std::vector<Observer*>& observers_;
-  double from_, to_;
-};
-constexpr double kTruthEnd = 0.4, kRunsEnd = 0.95;
-
-Image renderReference(const Scene& scene, const Options& options, Part part) {
-  RenderOptions render;
-  render.threads = options.threads;
-  render.observers = {&part};
-  Image image = Reference(scene, options.threads).render(render).image;
-  throwIfStopped(options);
-  return image;
-}
-
-/// The mean of two stratified pictures with different seeds, neither of which is the scene's. Their
-/// difference estimates the error of the mean.
-Truth truthOf(Scene scene, const Options& options) {
-  scene.sampler.row = &samplers::stratified;
-  scene.sampler.sampleCount = options.truthSamples;
-  scene.sampler.seed += 1;
-  const Image a = renderReference(scene, options, {options, 0.0, kTruthEnd / 2});
-  scene.sampler.seed += 1;
-  const Image b = renderReference(scene, options, {options, kTruthEnd / 2, kTruthEnd});
-  Truth truth{a, errorsOf(a, b).rmse / 2.0};
-  for (std::size_t i = 0; i < a.pixels.size(); ++i)
-    truth.image.pixels[i] = 0.5F * (a.pixels[i] + b.pixels[i]);
-  return truth;
-}
+constexpr double kRunsEnd = 0.95;
 
 void measureAll(Chart& chart, Measurement& measurement, const Image& truth,
                 const Options& options) {
@@ -93,8 +55,10 @@ Chart make(const Options& options) {
   chart.series = seriesFor(chart.traversal, options.peers);
   measurement.tryPeers(chart);
   const Scene scene = sceneOf(options);
-  const Truth truth = truthOf(scene, options);
+  const Truth truth = truthOf(scene, options, measurement);
   chart.truthError = truth.error;
+  chart.truthOrigin = truth.origin;
+  chart.paths = scene.integrator.row->bounces;
   measureAll(chart, measurement, truth.image, options);
   chart.methods = methodsOf(scene, options);
   writeExr((std::filesystem::path(options.folder) / "reference.exr").string(), truth.image);

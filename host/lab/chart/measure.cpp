@@ -13,19 +13,31 @@ namespace {
 /// Pictures with more samples per pixel are not compared with the reference's picture of the same
 /// samples, which would take longer than everything else.
 constexpr double kMaxJudged = 64;
+constexpr const char* kLaver = "laver";
 
-std::vector<std::string> commandOf(const Series& series, std::size_t step, const Options& options) {
+std::vector<std::string> commandOf(const std::string& program, const std::vector<std::string>& more,
+                                   const Options& options) {
   std::vector<std::string> command{options.self};
   for (const Peer& peer : options.peers)
-    if (peer.name == series.program) command = peer.command;
+    if (peer.name == program) command = peer.command;
   command.insert(command.end(),
                  {options.scene, "--size", fmt::format("{}x{}", options.size.x, options.size.y)});
-  if (series.program == "laver" && !options.device.empty())
+  if (program == kLaver && !options.device.empty())
     command.insert(command.end(), {"--device", options.device});
   if (options.threads != 0)
     command.insert(command.end(), {"--threads", std::to_string(options.threads)});
-  for (const auto& option : stepOptions(series, step, options.samples)) command.push_back(option);
+  command.insert(command.end(), more.begin(), more.end());
   return command;
+}
+
+std::vector<std::string> commandOf(const Series& series, std::size_t step, const Options& options) {
+  return commandOf(series.program, stepOptions(series, step, options.samples), options);
+}
+
+void throwIfFailed(const Run& run, const std::string& program) {
+  if (run.exitCode != 0)
+    throw Error(run.exitCode <= 5 ? static_cast<ExitCode>(run.exitCode) : ExitCode::Output,
+                fmt::format("{} failed: {}", program, run.lastError));
 }
 
 void addTimes(const Run& run, const Options& options, Point& point) {
@@ -85,6 +97,14 @@ void Measurement::measure(std::vector<Series>& series, std::size_t step, const I
     }
 }
 
+Image Measurement::render(const std::vector<std::string>& more) const {
+  throwIfStopped(options_);
+  const Run run = runner_.run(commandOf(kLaver, more, options_));
+  throwIfStopped(options_);
+  throwIfFailed(run, kLaver);
+  return runner_.allChannels();
+}
+
 Run Measurement::start(const Series& series, std::size_t step) const {
   throwIfStopped(options_);
   Run run = runner_.run(commandOf(series, step, options_));
@@ -94,9 +114,7 @@ Run Measurement::start(const Series& series, std::size_t step) const {
 
 Run Measurement::runOnce(const Series& series, std::size_t step) const {
   Run run = start(series, step);
-  if (run.exitCode != 0)
-    throw Error(run.exitCode <= 5 ? static_cast<ExitCode>(run.exitCode) : ExitCode::Output,
-                fmt::format("{} failed: {}", series.program, run.lastError));
+  throwIfFailed(run, series.program);
   if (!run.stats.is_object() || !run.stats.contains("seconds"))
     throw Error(ExitCode::Output, series.program + " left no figures in its --stats file");
   return run;

@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
@@ -16,6 +17,20 @@ void throwIfStopped(const Options& options);
 /// The scene at the chart's size.
 Scene sceneOf(const Options& options);
 
+/// Reports one part of the work to the observers: progress from share `from` to `to` of the whole.
+class Part : public Observer {
+ public:
+  Part(const Options& options, double from, double to)
+      : observers_(options.observers), from_(from), to_(to) {}
+  bool stop() override { return stops(observers_); }
+  void progress(double share, std::uint64_t samples) override {
+    for (Observer* observer : observers_) observer->progress(std::lerp(from_, to_, share), samples);
+  }
+
+ private:
+  const std::vector<Observer*>& observers_;
+  double from_, to_;
+};
 /// Runs the programs of a chart. Every function throws Error and Stopped.
 class Measurement {
  public:
@@ -27,6 +42,9 @@ class Measurement {
 
   /// Removes peers that report that they are not available.
   void tryPeers(Chart& chart) const;
+
+  /// All channels of laver's picture with more options.
+  Image render(const std::vector<std::string>& more) const;
 
   /// Adds the point of one step to each series that has such a step. The series' runs alternate, so
   /// that a disturbance of the machine affects all alike. A first, untimed run of each warms up

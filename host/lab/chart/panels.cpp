@@ -133,10 +133,11 @@ std::vector<std::string> notesOf(const Chart& chart) {
       }
   std::vector<std::string> notes;
   notes.push_back(fmt::format(
-      "Exact picture: double precision, {} samples per pixel; its own error is {:.2g}. Against the "
+      "Exact picture: {}, {} samples per pixel; its own error is {:.2g}. Against the "
       "double-precision picture of the same samples, {} pixels differ visibly, {} of them for "
-      "another reason than rounding at an edge.",
-      2 * chart.truthSamples, chart.truthError, pixels, unexplained));
+      "another reason than rounding at an edge{}.",
+      chart.truthOrigin, 2 * chart.truthSamples, chart.truthError, pixels, unexplained,
+      chart.paths ? " that the camera sees, such as at the next edge of a path" : ""));
   if (!chart.methods.empty())
     notes.push_back(fmt::format(
         "Ray-triangle tests, each with three box tests and two node formats: the 99th percentile "

@@ -33,6 +33,8 @@ Run Runner::run(std::vector<std::string> command) const {
   return run;
 }
 
-Image Runner::picture() const { return rgbOf(readExr(file(".exr")), file(".exr")); }
+Image Runner::picture() const { return rgbOf(allChannels(), file(".exr")); }
+
+Image Runner::allChannels() const { return readExr(file(".exr")); }
 
 }  // namespace laver::chart

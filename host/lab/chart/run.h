@@ -37,6 +37,7 @@ class Runner {
 
   /// R, G and B of the latest run's picture. Throws Error.
   Image picture() const;
+  Image allChannels() const;
 
  private:
   std::string file(const char* extension) const {

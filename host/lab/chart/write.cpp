@@ -61,7 +61,10 @@ nlohmann::json jsonOf(const Chart& chart) {
           {"device", chart.device},
           {"driver", chart.driver},
           {"date", chart.date},
-          {"reference", {{"samples", 2 * chart.truthSamples}, {"rmse", chart.truthError}}},
+          {"reference",
+           {{"samples", 2 * chart.truthSamples},
+            {"rmse", chart.truthError},
+            {"origin", chart.truthOrigin}}},
           {"series", series},
           {"missing", chart.missing},
           {"methods", methods}};
@@ -91,7 +94,7 @@ void writeChart(const Chart& chart, const std::string& folder) {
   };
   const Figure figure = figureOf(chart);
   put("chart.svg", svgOf(figure));
-  put("chart.png", pngOf(figure, 2.0));
+  put("chart.png", pngOf(figure, 1.5));
   put("chart.csv", csvOf(chart));
   put("chart.json", jsonOf(chart).dump(1) + '\n');
 }
