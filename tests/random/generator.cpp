@@ -127,14 +127,25 @@ void giveMaterials(const Kind& kind, Scene& scene, Draw& draw) {
         bsdf.set(name, draw.between(0.7, 2.5));
     }
   }
-  if (kind.texture == nullptr) return;
-  Texture texture{.row = kind.texture, .colors = {draw.color(), draw.color()}};
-  // (u, v) as a colour has neither scale nor offset in scenes, and would be negative.
-  if (kind.texture != &textures::uv) {
-    texture.scale = {draw.scale(0.5, 8.0), draw.chance(0.2) ? 0.0 : draw.scale(0.5, 8.0)};
-    texture.offset = {draw.between(-3.0, 3.0), draw.between(-3.0, 3.0)};
+  if (kind.texture != nullptr)
+    scene.meshes[0].bsdf.show("albedo", randomTexture(*kind.texture, draw));
+}
+
+/// What makes frames around the normals, or turns them.
+void giveFrames(const Kind& kind, Scene& scene, Draw draw, std::string& traits) {
+  if (!kind.integrator->needs.materials) return;
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    Bsdf& bsdf = scene.meshes[i].bsdf;
+    for (const PropertyRow& property : bsdf.row->properties)
+      if (kind.anisotropic && std::string(property.name) == "anisotropic")
+        bsdf.set(property.name, draw.between(0.1, 1.0));
+    if (kind.bends == nullptr || i > 2) continue;
+    Texture map = randomTexture(*kind.bends, draw);
+    for (dvec3& color : map.colors)
+      color = dvec3(0.5, 0.5, 1.0) + 0.4 * draw.point() * dvec3(1, 1, 0.5);
+    bsdf.show(kNormalMap, map);
   }
-  scene.meshes[0].bsdf.show("albedo", texture);
+  if (kind.bends != nullptr) traits += fmt::format("; {} as normal map", kind.bends->name);
 }
 
 /// For paths, nothing would account for surfaces that are contested at later hits.
@@ -199,6 +210,7 @@ RandomScene randomScene(std::uint64_t seed) {
   scene.sampler = {static_cast<std::uint32_t>(draw.integer(1, 4)),
                    static_cast<std::int64_t>(seed % 1000), kind.sampler};
   addMeshes(kind, scene, draw, result.traits);
+  giveFrames(kind, scene, Draw(seed ^ 0xf4a3e50000000000U), result.traits);
   addLighting(kind, scene, draw, result.traits);
   chooseView(kind, scene, draw, result.traits);
   moveAway(scene, draw, result.traits);

@@ -56,6 +56,10 @@ Kind kindOf(std::uint64_t seed) {
     result.bsdfs.push_back(bsdfs[(kind / 16 * 3 + i + kind) % bsdfs.size()]);
   if (result.texture != nullptr) result.bsdfs[0] = &bsdfs::diffuse;
   result.traversals = traversalsOf(result, draw);
+  Draw more(kind ^ 0xadded00000000000U);
+  if (more.chance(0.4)) result.shown = textures[more.below(textures.size())];
+  if (more.chance(0.3)) result.bends = textures[more.below(textures.size())];
+  result.anisotropic = more.chance(0.4);
   return result;
 }
 

@@ -18,6 +18,9 @@ struct Kind {
   const TextureRow* texture;          ///< of the first mesh; null: none
   const EmitterRow* sky;              ///< null: black
   bool lamp;                          ///< the second mesh emits, if the integrator shows it
+  const TextureRow* shown = nullptr;  ///< by that mesh; null: one colour
+  const TextureRow* bends = nullptr;  ///< the normals of the first meshes; null: nothing
+  bool anisotropic = false;           ///< BSDFs that can be
   bool lens;
   bool general;                         ///< one kernel for all scenes: no part is left out
   std::vector<std::string> traversals;  ///< by which it is rendered

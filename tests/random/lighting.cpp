@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
+
+#include "scene/texture_forms.h"
 
 namespace laver::test {
 namespace {
@@ -102,6 +105,15 @@ void setProperties(const Kind& kind, Scene& scene, Draw& draw) {
 
 }  // namespace
 
+Texture randomTexture(const TextureRow& row, Draw& draw) {
+  Texture texture{.row = &row, .colors = {draw.color(), draw.color()}};
+  // (u, v) as a colour has neither scale nor offset in scenes, and would be negative.
+  if (&row == &textures::uv) return texture;
+  texture.scale = {draw.scale(0.5, 8.0), draw.chance(0.2) ? 0.0 : draw.scale(0.5, 8.0)};
+  texture.offset = {draw.between(-3.0, 3.0), draw.between(-3.0, 3.0)};
+  return texture;
+}
+
 dvec3 pointOn(const Mesh& mesh, Draw& draw) {
   if (mesh.sphere) return mesh.sphere->centre + mesh.sphere->radius * draw.direction();
   if (mesh.triangles.empty()) return dvec3(0.0);
@@ -122,8 +134,14 @@ void addLighting(const Kind& kind, Scene& scene, Draw& draw, std::string& traits
   }
   if (needs.background && kind.sky != nullptr) addSky(*kind.sky, scene, draw, traits);
   if (needs.emitters && kind.lamp) {
-    scene.meshes[1].light = AreaLight{draw.color() * draw.scale(0.5, 10.0)};
+    AreaLight& lamp =
+        scene.meshes[1].light.emplace(AreaLight{draw.color() * draw.scale(0.5, 10.0)});
     traits += "; lamp";
+    if (kind.shown != nullptr) {
+      lamp.texture = std::make_shared<Texture>(randomTexture(*kind.shown, draw));
+      lamp.radiance = kind.shown->mean(*lamp.texture);
+      traits += fmt::format(" that shows {}", kind.shown->name);
+    }
   }
   setProperties(kind, scene, draw);
 }

@@ -6,6 +6,9 @@
 
 namespace laver::test {
 
+/// With random colours, scale and offset.
+Texture randomTexture(const TextureRow& row, Draw& draw);
+
 /// A point of a mesh, or the origin of an empty one. No corner: a light there is blocked or not in
 /// cones as narrow as the triangles, which moved lights (compared.cpp) would miss.
 glm::dvec3 pointOn(const Mesh& mesh, Draw& draw);

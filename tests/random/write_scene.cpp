@@ -116,10 +116,12 @@ std::string meshText(const Mesh& mesh, const std::string& name) {
     inside = tag("string", "filename", name);
   std::string bsdf = properties(mesh.bsdf.row->properties, mesh.bsdf.values);
   for (const NamedTexture& named : mesh.bsdf.textures)
-    bsdf += textureText(named.property, named.texture);
+    bsdf += textureText(named.property == kNormalMap ? "normal" : named.property, named.texture);
   inside += element("bsdf", mesh.bsdf.row->name, bsdf);
   if (mesh.light)
-    inside += element("emitter", "area", tag("color", "radiance", triple(mesh.light->radiance)));
+    inside += element("emitter", "area",
+                      mesh.light->texture ? textureText("radiance", *mesh.light->texture)
+                                          : tag("color", "radiance", triple(mesh.light->radiance)));
   return element("mesh", mesh.sphere ? "sphere" : "obj", inside);
 }
 
