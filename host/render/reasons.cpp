@@ -60,7 +60,7 @@ Reason adaptive(const Facts& f) {
     return {"adaptive", "off", "no --error", "counts of cells, and lists of work", 0};
   return {"adaptive", fmt::format("1 to {} samples per pixel", maxSamplesOf(f.scene, f.options)),
           fmt::format("to an error of {:g}, which {} pilots of 1 sample decide", f.options.error,
-                      kPilots),
+                      pilotCount(f.scene)),
           "", 0};
 }
 

@@ -248,7 +248,7 @@ class Loop {
     const SampleMap one(cropOf(frame_.regionAround(area)), 1);
     frame_.use(&one);
     std::vector<Image> pilots;
-    for (int i = 0; i < kPilots; ++i) {
+    for (int i = 0; i < pilotCount(task_.scene); ++i) {
       frame_.seed(pilotSeed(sampler().seed, i));
       pilots.push_back(rgbImage(area.x1 - area.x0, area.y1 - area.y0));
       if (renderFilm({{area, 0}}, 1, pilots.back()).wholeRows != pilots.back().height) return {};

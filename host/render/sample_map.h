@@ -53,8 +53,12 @@ inline constexpr int kBlock = 2;
 /// The pixels whose pilots determine the counts of all cells of the pixels of `area`.
 Crop pilotArea(Crop area, int width, int height);
 
-/// Pilots are pictures of one sample per pixel, each with its own seed.
-inline constexpr int kPilots = 2;
+/// Pilots are pictures of one sample per pixel, each with its own seed. Paths find much of their
+/// light by few samples, of which two pilots see nothing in most cells.
+inline constexpr int kPilots = 2, kPilotsOfPaths = 16;
+inline int pilotCount(const Scene& scene) {
+  return scene.integrator.row->bounces ? kPilotsOfPaths : kPilots;
+}
 std::int64_t pilotSeed(std::int64_t seed, int pilot);
 
 /// The maximum number of samples per pixel in adaptive sampling.

@@ -17,6 +17,12 @@ void expectSame(const Adaptive& a, const Adaptive& b) {
   EXPECT_EQ(differingFloats(a.stats.samples, b.stats.samples), 0U);
 }
 
+TEST(Adaptive, PathsHaveMorePilots) {
+  Scene scene = floorScene();
+  scene.integrator = {rowCalled(integratorRows(), "path_mis")};
+  EXPECT_EQ(renderTo(scene, adaptive()).stats.pilotSamples, 96U * 96U * kPilotsOfPaths);
+}
+
 TEST(Adaptive, SameBitsForThreadsBandsPassesTraversalsAndKernels) {
   const Scene scene = floorScene();
   const Adaptive whole = renderTo(scene, adaptive());
