@@ -95,7 +95,7 @@ class Frame {
   bool takesSmallerSteps();
   void dispatchPortions(const shared::Pass& pass);
   bool answerQueries(Dispatch dispatch);
-  std::vector<Dispatch> split(const Dispatch& whole) const;
+  std::vector<Dispatch> split(const Dispatch& whole, std::uint32_t most) const;
 
   void planParts(const shared::Pass& pass);
   void listWork(const shared::Pass& pass);
@@ -111,6 +111,7 @@ class Frame {
   DeviceScene onDevice_;
   Traversal traversal_;
   std::optional<Portions> portions_;  ///< set once walks of `lane` were cut short
+  std::uint32_t queriesAtOnce_ = 1;   ///< by a dispatch, with the former
   const Coverage covered_;            ///< pixels that the scene covers
   Kernels kernels_;
   const PictureChoice* picture_ = nullptr;

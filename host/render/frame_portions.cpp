@@ -10,12 +10,17 @@ namespace laver {
 namespace {
 
 /// Workgroups, of 64 samples, whose queries are answered together: bounds the answers in memory to
-/// 256 KiB per query.
-constexpr std::uint32_t kGroups = 1024;
+/// 256 KiB per query, or where several queries are answered at once, as for long paths, to 16 KiB.
+constexpr std::uint32_t kGroups = 1024, kGroupsOfPaths = 64;
+
+/// Queries answered by a dispatch. Lavapipe allows 65,535 iterations, some thousand in each.
+constexpr std::uint32_t kQueries = 64;
+constexpr std::uint32_t kAllQueries = 0xffffffff;
 
 }  // namespace
 
-/// First `lane` instead of packets, then one dispatch per query, then one per portion of the tree.
+/// First `lane` instead of packets, then one dispatch for several queries, then one per query, then
+/// one per portion of the tree.
 /// Returns false if the steps cannot be smaller.
 bool Frame::takesSmallerSteps() {
   if (isPacket(traversal_)) {
@@ -25,9 +30,16 @@ bool Frame::takesSmallerSteps() {
                     status_.incomplete / 8);
   } else if (!portions_) {
     portions_ = Portions{{}, {packed_.bvh.root}, packed_.bvh.stack};
+    queriesAtOnce_ = kQueries;
+    work_.fallback = fmt::format(
+        "{} rays ran more loops than the driver lets one invocation run: dispatches of {} queries",
+        status_.incomplete, kQueries);
+  } else if (queriesAtOnce_ > 1) {
+    queriesAtOnce_ = 1;
     work_.fallback = fmt::format(
         "{} rays ran more loops than the driver lets one invocation run: one dispatch per query",
         status_.incomplete);
+    return true;
   } else if (portions_->nodes.empty()) {
     portions_ = portionsOf(packed_.bvh, shared::PORTION_PRIMITIVES);
     onDevice_.upload(std::span<const shared::Node>(portions_->nodes));
@@ -41,22 +53,22 @@ bool Frame::takesSmallerSteps() {
   return true;
 }
 
-/// Splits a dispatch into ones of at most kGroups workgroups, or of one row of them.
-std::vector<Frame::Dispatch> Frame::split(const Dispatch& whole) const {
+/// Splits a dispatch into ones of at most `most` workgroups, or of one row of them.
+std::vector<Frame::Dispatch> Frame::split(const Dispatch& whole, std::uint32_t most) const {
   const auto [columns, rows, layers] = whole.groups;
   std::vector<Dispatch> parts;
   if (mapped()) {
-    for (std::uint32_t first = 0; first < columns * rows; first += kGroups) {
+    for (std::uint32_t first = 0; first < columns * rows; first += most) {
       Dispatch part = whole;
       part.pass.firstWork += first;
-      part.groups = {std::min(kGroups, columns * rows - first), 1, 1};
+      part.groups = {std::min(most, columns * rows - first), 1, 1};
       parts.push_back(part);
     }
     return parts;
   }
   const std::uint32_t side = 8U >> whole.pass.sideShift / 2;
-  const std::uint32_t rowsOfPart = std::clamp(kGroups / columns, 1U, rows);
-  const std::uint32_t layersOfPart = std::clamp(kGroups / (columns * rowsOfPart), 1U, layers);
+  const std::uint32_t rowsOfPart = std::clamp(most / columns, 1U, rows);
+  const std::uint32_t layersOfPart = std::clamp(most / (columns * rowsOfPart), 1U, layers);
   for (std::uint32_t layer = 0; layer < layers; layer += layersOfPart)
     for (std::uint32_t row = 0; row < rows; row += rowsOfPart) {
       Dispatch part = whole;
@@ -74,12 +86,16 @@ std::vector<Frame::Dispatch> Frame::split(const Dispatch& whole) const {
 
 void Frame::dispatchPortions(const shared::Pass& pass) {
   for (const Dispatch& dispatch : tracing(pass))
-    for (const Dispatch& part : split(dispatch))
+    for (const Dispatch& part : split(dispatch, queriesAtOnce_ > 1 ? kGroupsOfPaths : kGroups))
       if (!answerQueries(part)) return;
 }
 
-/// Answers the first query of all samples, portion by portion of the tree, then the second, until
-/// no sample makes another; then stores the samples. Returns whether no loop was cut short.
+/// Answers the first queries of all samples, portion by portion of the tree, then the next ones,
+/// until no sample makes another; then stores the samples. Returns whether no loop was cut short.
+///
+/// Where a dispatch answers several queries, most samples need no more than it could: at first, and
+/// each time the number of answers has doubled, it is tried to do the rest at once. What such a
+/// trial stores is overwritten by the next, but lights in several dispatches add to what is stored.
 bool Frame::answerQueries(Dispatch dispatch) {
   const shared::Status before = status_;
   const auto run = [&] {
@@ -92,17 +108,28 @@ bool Frame::answerQueries(Dispatch dispatch) {
   const auto& [columns, rows, layers] = dispatch.groups;
   const std::uint64_t samples = std::uint64_t{columns} * rows * layers * 64;
   shared::Pass& pass = dispatch.pass;
-  std::uint32_t queries = 1;
-  for (pass.query = 0; pass.query < queries; ++pass.query) {
-    onDevice_.reserveAnswers((pass.query + 1) * samples);
+  const bool tries = queriesAtOnce_ > 1 && pass.firstDispatch != 0 && pass.lastDispatch != 0;
+  const auto finish = [&](std::uint32_t more) {
+    pass.portion = shared::ALL_ANSWERED;
+    pass.root = portions_->roots.front();
+    pass.queryCount = more;
+    return run();
+  };
+  std::uint32_t queries = 1, nextTrial = 0;
+  for (pass.query = 0; pass.query < queries; pass.query += queriesAtOnce_) {
+    if (tries && pass.query >= nextTrial) {
+      if (finish(kAllQueries)) return true;
+      nextTrial = 2 * pass.query + queriesAtOnce_;
+    }
+    pass.queryCount = queriesAtOnce_;
+    onDevice_.reserveAnswers((pass.query + pass.queryCount) * samples);
     for (pass.portion = 0; pass.portion < portions_->roots.size(); ++pass.portion) {
       pass.root = portions_->roots[pass.portion];
       if (!run()) return false;
     }
     queries = std::max(queries, status_.queries);
   }
-  pass.portion = shared::ALL_ANSWERED;
-  return run();
+  return finish(0);
 }
 
 }  // namespace laver

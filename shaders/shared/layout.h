@@ -267,12 +267,12 @@ struct Pass {
   uint lightCount;
   uint firstDispatch;  // 1 for the first dispatch of the pass, if its lights take several
   uint lastDispatch;
-  // Of trace/portions.glsl: the query that the dispatch answers, the portion of the tree that it
-  // walks, or ALL_ANSWERED, and the portion's root.
+  // Of trace/portions.glsl: the first query that the dispatch answers, the portion of the tree that
+  // it walks, or ALL_ANSWERED, the portion's root, and the number of queries that it answers.
   uint query;
   uint portion;
   uint root;
-  uint pad;
+  uint queryCount;
 };
 
 // Compensated sums: value = sum + rest; rgb is weighted radiance, a the weight. With

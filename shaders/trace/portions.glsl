@@ -1,8 +1,8 @@
 // The `lane` traversal for scenes in which an invocation would exceed the loop iterations that a driver allows.
-// A dispatch answers one query of each invocation from one portion of the tree; the host dispatches portion
-// after portion, query after query (Frame::dispatchPortions()). Each dispatch runs the kernel from its beginning:
-// earlier queries get their answers from a buffer, later ones get none, and only the last dispatch, to which all
-// answers are known, stores samples.
+// A dispatch answers one query of each invocation, or several, from one portion of the tree; the host dispatches
+// portion after portion, query after query (Frame::dispatchPortions()). Each dispatch runs the kernel from its
+// beginning: earlier queries get their answers from a buffer, later ones get none. Only the dispatch with
+// ALL_ANSWERED, in which no query gets none, stores samples and no answers.
 #include "trace/lane_walk.glsl"
 #include "trace/queries.glsl"
 
@@ -12,9 +12,16 @@ uint answerIndex(uint query) {
   return group * 64u + gl_LocalInvocationIndex;
 }
 
+bool answersNow(uint query) { return query >= pass.query && query - pass.query < pass.queryCount; }
+
+void keepAnswer(uint query, uint answer) {
+  if (pass.portion != ALL_ANSWERED) answers[answerIndex(query)] = answer;
+}
+
 // The answer to a query by the portions that were walked so far, or `none`.
 uint answerTo(uint query, uint none) {
-  const bool known = query < pass.query || (query == pass.query && pass.portion > 0u);
+  const bool further = pass.portion > 0u && pass.portion != ALL_ANSWERED;
+  const bool known = query < pass.query || (query == pass.query && further);
   return known ? answers[answerIndex(query)] : none;
 }
 
@@ -23,10 +30,10 @@ Hits closest(Rays rays) {
   const uint query = queries++;
   Hits hits;
   hits.slot[0] = answerTo(query, NO_HIT);
-  if (query == pass.query) {
+  if (answersNow(query)) {
     hits.slot[0] = closestLane(rays.origin[0], rays.direction[0], rays.tmin[0], rays.tmax[0],
                                rays.isActive[0], hits.slot[0]);
-    answers[answerIndex(query)] = hits.slot[0];
+    keepAnswer(query, hits.slot[0]);
   }
   return hits;
 }
@@ -37,9 +44,9 @@ Hits closestFromOne(Rays rays) { return closest(rays); }
 bool unoccludedSoFar(vec3 from, vec3 direction, bool toLight, vec3 light, bool isActive) {
   const uint query = queries++;
   bool clear = isActive && answerTo(query, 0u) == 0u;
-  if (query == pass.query) {
+  if (answersNow(query)) {
     clear = unoccludedLane(from, direction, toLight, light, clear);
-    answers[answerIndex(query)] = clear ? 0u : 1u;
+    keepAnswer(query, clear ? 0u : 1u);
   }
   return clear;
 }

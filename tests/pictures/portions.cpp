@@ -38,13 +38,13 @@ Scene roomWith(std::size_t copies, const IntegratorRow& integrator) {
   return scene;
 }
 
-Image renderByPortions(const Scene& scene, const RenderOptions& options = {}) {
+Image renderByPortions(const Scene& scene, const RenderOptions& options = {},
+                       const std::string& steps = "portions of the tree") {
   Stats stats;
   Image image = Renderer(onTestDevice()).render(scene, options, stats).image;
-  const bool byPortions =
-      std::any_of(stats.reasons.begin(), stats.reasons.end(), [](const Reason& reason) {
-        return reason.why.find("portions of the tree") != std::string::npos;
-      });
+  const bool byPortions = std::any_of(
+      stats.reasons.begin(), stats.reasons.end(),
+      [&](const Reason& reason) { return reason.why.find(steps) != std::string::npos; });
   EXPECT_EQ(loopsEndEarly().value_or(byPortions), byPortions) << testDeviceInfo().driver;
   return image;
 }
@@ -61,6 +61,37 @@ TEST_P(Portions, GiveTheBitsOfOneWalk) {
 INSTANTIATE_TEST_SUITE_P(Integrators, Portions,
                          testing::Values("depth", "ao", "direct_whitted", "direct_ems", "path_mis",
                                          "whitted"));
+
+/// A camera in a closed box of mirrors, each `copies` times, with a small lamp in it. Paths survive
+/// a reflection with a probability of 0.99, so that of 640 paths, some have more than 500.
+Scene mirrorsWith(std::size_t copies) {
+  Scene scene = roomWith(1, *rowCalled(integratorRows(), "path_mis"));
+  scene.meshes.resize(3);
+  Mesh& lamp = scene.meshes[2];
+  for (glm::dvec3& p : lamp.positions) p *= 0.1;
+  Mesh box;
+  for (int i = 0; i < 8; ++i)
+    box.positions.emplace_back(2.0 * (i & 1) - 1.0, (i & 2) - 1.0, 5.0 * (i >> 2) - 4.0);
+  // Their normals point inwards.
+  const glm::uvec3 faces[] = {{0, 3, 2}, {3, 0, 1}, {4, 7, 5}, {7, 4, 6}, {0, 5, 1}, {5, 0, 4},
+                              {2, 7, 6}, {7, 2, 3}, {0, 6, 4}, {6, 0, 2}, {1, 7, 3}, {7, 1, 5}};
+  for (std::size_t i = 0; i < copies; ++i)
+    box.triangles.insert(box.triangles.end(), std::begin(faces), std::end(faces));
+  box.bsdf = {.row = rowCalled(bsdfRows(), "mirror")};
+  scene.meshes = {lamp, box};
+  scene.lights.clear();
+  scene.camera.width = 20;
+  scene.camera.height = 16;
+  scene.sampler.sampleCount = 2;
+  return scene;
+}
+
+// 250 mirrors in one place take some hundred iterations for each reflection.
+TEST(Portions, OfLongPathsAnswerManyQueriesAtOnce) {
+  EXPECT_EQ(differingFloats(render(mirrorsWith(1)),
+                            renderByPortions(mirrorsWith(250), {}, "dispatches of 64 queries")),
+            0U);
+}
 
 TEST(Portions, ServeAdaptiveSampling) {
   Scene one = roomWith(1, integrators::directWhitted);
