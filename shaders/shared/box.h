@@ -17,7 +17,7 @@ struct BoxRay {
 LAVER_FN float depthPerUnit(float d, float scale) {
   const float huge = 1.2676506e30f;  // 2^100
   const float q = abs(d) * huge > scale ? scale / d : huge;
-  return abs(d) * huge > scale || d >= 0.0f ? q : -q;
+  return chosen(abs(d) * huge > scale || d >= 0.0f, q, -q);
 }
 
 // Sideways padding. The triangle test can accept a line that passes a triangle by its own rounding.

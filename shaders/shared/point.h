@@ -43,7 +43,8 @@ LAVER_FN vec3 accurateCross(vec3 a, vec3 b) {
 LAVER_FN vec3 unitOr(vec3 v, vec3 otherwise) {
   const float m = max(abs(v.x), max(abs(v.y), abs(v.z)));
   const vec3 s = v / (m > 0.0f ? m : 1.0f);
-  return m > 0.0f ? s / sqrt(dotProduct(s, s)) : otherwise;
+  const vec3 unit = s / sqrt(dotProduct(s, s));
+  return m > 0.0f ? unit : otherwise;
 }
 
 LAVER_FN float largestOf(float a, float b, float c) { return max(abs(a), max(abs(b), abs(c))); }

@@ -47,11 +47,18 @@ struct Shear {
   float u, v;
 };
 
-LAVER_FN float alongAxis(vec3 p, uint axis) { return axis == 0u ? p.x : (axis == 1u ? p.y : p.z); }
+// A selection between two numbers that are both known: one instruction, while `?:` between
+// expressions makes two branches. SwiftShader's compiler takes twice the time and memory for each
+// such pair of branches that follows another one within a loop.
+LAVER_FN float chosen(bool first, float a, float b) { return first ? a : b; }
+
+LAVER_FN float alongAxis(vec3 p, uint axis) {
+  return chosen(axis == 0u, p.x, chosen(axis == 1u, p.y, p.z));
+}
 
 // (u, v, depth) of p - origin.
 LAVER_FN vec3 permute(Shear shear, vec3 p) {
-  return vec3(shear.axis == 0u ? p.y : p.x, shear.axis == 2u ? p.y : p.z,
+  return vec3(chosen(shear.axis == 0u, p.y, p.x), chosen(shear.axis == 2u, p.y, p.z),
               alongAxis(p, shear.axis) * shear.sign);
 }
 

@@ -49,7 +49,7 @@ Surface surfaceAt(vec3 origin, vec3 direction, uint slot) {
 // The origin of a ray that leaves the surface along `direction`: offset to that side by the rounding error of
 // the hit point.
 vec3 offsetOrigin(Surface s, vec3 direction) {
-  const float side = dotProduct(s.geometric, direction) < 0.0 ? -s.offset : s.offset;
+  const float side = chosen(dotProduct(s.geometric, direction) < 0.0, -s.offset, s.offset);
   return s.position + s.geometric * side;
 }
 
