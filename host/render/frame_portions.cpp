@@ -20,8 +20,7 @@ constexpr std::uint32_t kAllQueries = 0xffffffff;
 }  // namespace
 
 /// First `lane` instead of packets, then one dispatch for several queries, then one per query, then
-/// one per portion of the tree.
-/// Returns false if the steps cannot be smaller.
+/// one per portion of the tree. Returns false if the steps cannot be smaller.
 bool Frame::takesSmallerSteps() {
   if (isPacket(traversal_)) {
     traversal_ = Traversal::Lane;
@@ -97,7 +96,8 @@ void Frame::dispatchPortions(const shared::Pass& pass) {
 /// each time the number of answers has doubled, it is tried to do the rest at once. What such a
 /// trial stores is overwritten by the next, but lights in several dispatches add to what is stored.
 bool Frame::answerQueries(Dispatch dispatch) {
-  const shared::Status before = status_;
+  shared::Status before = status_;
+  before.queries = 0;  // those of other samples do not count
   const auto run = [&] {
     onDevice_.status().upload(std::as_bytes(std::span(&before, 1)));
     device_.run(

@@ -31,6 +31,7 @@ class Part : public Observer {
   const std::vector<Observer*>& observers_;
   double from_, to_;
 };
+
 /// Runs the programs of a chart. Every function throws Error and Stopped.
 class Measurement {
  public:

@@ -10,7 +10,7 @@
 namespace laver::chart {
 namespace {
 
-/// With a false alarm in a thousand charts, which costs minutes.
+/// A false alarm costs minutes: one chart in a thousand has one.
 constexpr NoiseLimits kLimits = {.significance = 0.001};
 
 Image renderReference(const Scene& scene, const Options& options, Part part,
