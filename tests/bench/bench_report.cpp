@@ -44,6 +44,11 @@ TEST(BenchReport, DoesNotChangeADocumentWithoutAPlaceForTables) {
   EXPECT_EQ(test::contents(file), "# Speed\n");
 }
 
+TEST(BenchReport, TheDocumentHasAPlaceForTables) {
+  const std::string text = test::contents(LAVER_SOURCE_DIR "/tests/bench/README.md");
+  EXPECT_NE(text.find("\n<!-- figures -->\n"), std::string::npos);
+}
+
 TEST(BenchReport, KeepsEveryTimeInJson) {
   const test::TemporaryFolder folder;
   someReport().saveJson(folder.path("bench.json"));
