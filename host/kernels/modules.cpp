@@ -25,8 +25,8 @@ std::vector<std::string> commonKernels() {
         texts.push_back(compose(key));
       }
   };
-  addWhitted(Traversal::Packet32, false);
-  for (const bool slivers : {false, true}) addWhitted(Traversal::Packet64, slivers);
+  for (const Traversal traversal : {Traversal::Packet32, Traversal::Packet64})
+    for (const bool slivers : {false, true}) addWhitted(traversal, slivers);
   for (const char* integrator : {"normals", "depth", "ao"}) {
     TraceKey key;
     key.integrator = integrator;
@@ -35,19 +35,10 @@ std::vector<std::string> commonKernels() {
     key.traversal = Traversal::Packet32;
     texts.push_back(compose(key));
   }
-  struct Reconstruction {
-    const char* filter;
-    std::uint32_t apron;
-  };
-  for (const Reconstruction r :
-       {Reconstruction{"gaussian_narrow", 2}, Reconstruction{"mitchell", 2},
-        Reconstruction{"tent", 1}, Reconstruction{"box", 1}}) {
-    GatherKey key;
-    key.filter = r.filter;
-    key.apron = r.apron;
-    key.strips = true;
-    texts.push_back(compose(key));
-  }
+  GatherKey gather;
+  gather.filter = "gaussian_narrow";
+  gather.strips = true;
+  texts.push_back(compose(gather));
   return texts;
 }
 

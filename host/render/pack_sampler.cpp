@@ -37,7 +37,7 @@ void packTables(std::uint32_t samples, std::uint32_t levels, Packed& packed) {
   appendTable(packed.jumps, 1, kNumbersPerSample * samples, kBlockPixels);
   const std::uint32_t low = std::min(samples, kLowSamples);
   packed.params.samplerArguments = {static_cast<std::uint32_t>(packed.jumps.size()), 0, low, 0};
-  if (levels >= 2) appendTable(packed.jumps, 0, kNumbersPerSample, low);
+  appendTable(packed.jumps, 0, kNumbersPerSample, low);
   if (levels >= 3) {
     packed.params.samplerArguments.y = static_cast<std::uint32_t>(packed.jumps.size());
     appendTable(packed.jumps, 0, kNumbersPerSample * low, (samples - 1) / low + 1);
@@ -63,10 +63,7 @@ PcgJump pcgJump(std::uint64_t steps) {
   return result;
 }
 
-std::uint32_t jumpLevels(std::uint32_t samples) {
-  if (samples == 1) return 1;
-  return samples <= kLowSamples ? 2 : 3;
-}
+std::uint32_t jumpLevels(std::uint32_t samples) { return samples <= kLowSamples ? 2 : 3; }
 
 void packSampler(const Scene& scene, std::uint32_t jumpLevels, Packed& packed) {
   const Sampler& sampler = scene.sampler;
