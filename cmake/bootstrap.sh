@@ -51,6 +51,16 @@ installPackages() {
   apt-get install -y --no-install-recommends $missing
 }
 
+# SwiftShader, a second Vulkan driver for CPUs, from Debian's chromium-common: its tests run where it is. The
+# package itself, which needs a desktop's libraries, is not installed.
+fetchSwiftShader() {
+  [ ! -e "$build/swiftshader/usr" ] || return 0
+  mkdir -p "$build/swiftshader"
+  (cd "$build/swiftshader" && apt-get download chromium-common && dpkg-deb -x chromium-common_*.deb . &&
+    rm chromium-common_*.deb) ||
+    echo 'bootstrap.sh: SwiftShader cannot be had: its tests are left out' >&2
+}
+
 # Builds the given targets.
 buildLaver() {
   installPackages
@@ -141,6 +151,8 @@ case $1 in
     ;;
   check) check ;;
   test)
+    installPackages
+    fetchSwiftShader
     buildLaver all
     ctest --test-dir "$build" --output-on-failure -LE full -j "$jobs"
     ;;

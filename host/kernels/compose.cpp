@@ -134,6 +134,7 @@ std::string traceText(const TraceKey& key, std::string_view main) {
   extensions(text, packet || key.lockstep);
   traceConstants(key, text);
   text.include(packet ? "film/stored_longs.glsl" : "film/stored_floats.glsl");
+  text.include(key.storageTexels ? "texels_in_storage.glsl" : "texel_buffers.glsl");
   text.include("resources.glsl");
   text.include("trace/rays.glsl");
   text.include(packet || key.lockstep ? "trace/any_of_subgroup.glsl" : "trace/any_of_lane.glsl");
@@ -197,6 +198,7 @@ std::string compose(const GatherKey& key) {
   text.number("APRON", key.apron);
   text.flag("ADAPTIVE", key.adaptive);
   text.include("film/stored_floats.glsl");
+  text.include(key.storageTexels ? "texels_in_storage.glsl" : "texel_buffers.glsl");
   text.include("resources.glsl");
   text.line("#include \"filter/{}.glsl\"", key.filter);
   text.include(key.strips ? "film/gather_strip.glsl" : "film/gather_lane.glsl");

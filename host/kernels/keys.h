@@ -61,7 +61,7 @@ struct TraceKey {
   MaterialLayout layout;
   Traversal traversal = Traversal::Lane;
   std::uint32_t stack = 64;      ///< entries of the traversal's stack
-  std::uint32_t jumpLevels = 0;  ///< number of tables that `independent` needs, 1 to 3
+  std::uint32_t jumpLevels = 0;  ///< number of tables that `independent` needs, 2 or 3
   bool hits = true;              ///< hits affect the result; otherwise no ray is traced
   bool normals = false;          ///< some mesh has vertex normals that affect the result
   bool materials = false;        ///< the meshes differ in their materials
@@ -83,6 +83,7 @@ struct TraceKey {
        floatImages = false;                ///< formats of the images of textures and background
   bool adaptive = false;                   ///< sample counts vary by cell
   bool signedValues = false;               ///< samples with negative values are kept
+  bool storageTexels = false;              ///< texels are in storage buffers
   std::vector<KernelProperty> properties;  ///< of the integrator, in the order of its row
 
   bool operator==(const TraceKey&) const = default;
@@ -94,6 +95,7 @@ struct GatherKey {
   std::uint32_t apron = 2;  ///< pixels on each side that a sample can reach
   bool strips = false;      ///< film/gather_strip.glsl, for subgroups of 8 lanes
   bool adaptive = false;
+  bool storageTexels = false;
 
   bool operator==(const GatherKey&) const = default;
 };

@@ -50,8 +50,9 @@ std::string contentOf(const Packed& packed, const Choices& choices) {
   TraceKey key = choices.pictures.front().key;
   key.stack = key.jumpLevels = 0;  // depend on the tree and the sample count
   key.traversal = Traversal::Lane;
+  key.storageTexels = false;
   GatherKey gather = choices.gather;
-  gather.strips = false;
+  gather.strips = gather.storageTexels = false;
   hash.add(compose(key));
   hash.add(compose(gather));
   for (const DeviceArray& array : arraysOf(packed))

@@ -15,6 +15,10 @@
 namespace laver {
 namespace {
 
+/// Texel buffers of fewer texels would divide a pass of samples, which has up to 2^22 (tile()), and
+/// refuse scenes that are not small. The least that Vulkan allows is 2^16.
+constexpr std::uint32_t kFewTexels = 1U << 22;
+
 /// A stack never holds more entries than there are primitives.
 std::uint32_t likelyStack(const Scene& scene, const Normalisation& space) {
   if (space.wide()) return kLikelyStack;
@@ -197,7 +201,10 @@ Crop pilotsOf(const Crop& pixels, std::uint32_t apron, const Camera& camera) {
 }
 
 Tiling tilingOf(const Scene& scene, const RenderOptions& options, const VulkanOptions& vulkan,
-                const VkPhysicalDeviceLimits& limits, std::uint32_t apron) {
+                VkPhysicalDeviceLimits limits, const Choices& choices) {
+  if (choices.storageTexels)  // one sample's texel has 16 bytes
+    limits.maxTexelBufferElements = limits.maxStorageBufferRange / 16;
+  const std::uint32_t apron = choices.gather.apron;
   const Camera& camera = scene.camera;
   Crop planned{};
   for (const Strip& strip : stripsOf(scene, options)) {
@@ -245,10 +252,13 @@ Choices choose(const Scene& scene, const RenderOptions& options, const VulkanOpt
   choices.gather.adaptive = options.error > 0.0;
   // film/gather_strip.glsl supports no wider filters.
   choices.gather.strips = runsPackets(device) && choices.gather.apron <= 4;
+  if (device.limits.maxTexelBufferElements < kFewTexels &&
+      device.limits.maxPerStageDescriptorStorageBuffers >= shared::BINDINGS)
+    choices = generalised(std::move(choices), {"storage texels"});
   if (!vulkan.general.empty()) choices = generalised(std::move(choices), vulkan.general);
   choices.core = coreOf(scene.camera, options);
   choices.strips = stripsOf(scene, options);
-  choices.tiling = tilingOf(scene, options, vulkan, device.limits, choices.gather.apron);
+  choices.tiling = tilingOf(scene, options, vulkan, device.limits, choices);
   choices.reasons = reasonsOf(scene, options, choices, traversal.why);
   return choices;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 namespace laver {
 namespace {
@@ -17,11 +18,30 @@ VkDeviceSize stableSize(VkDeviceSize bytes, VkDeviceSize texel) {
   return (bytes & 0xffU) == 0 ? bytes + texel : bytes;
 }
 
+/// The array with four 32-bit words per texel, as a texel buffer of that format reads it.
+std::vector<std::byte> widened(const DeviceArray& array) {
+  const VkDeviceSize texel = texelBytes(array.format), word = wordBytes(array.format);
+  const std::size_t count = array.bytes.size() / texel;
+  std::vector<std::byte> wide(count * 16);
+  const std::array<std::uint32_t, 4> missing = {0, 0, 0, 1};
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t c = 0; c < 4; ++c) {
+      std::uint32_t value = missing[c];
+      if (c * word < texel) {
+        value = 0;
+        std::memcpy(&value, array.bytes.data() + i * texel + c * word, word);
+      }
+      std::memcpy(wide.data() + i * 16 + c * 4, &value, 4);
+    }
+  return wide;
+}
+
 }  // namespace
 
-std::array<VkDescriptorType, shared::BINDINGS> bindingTypes() {
+std::array<VkDescriptorType, shared::BINDINGS> bindingTypes(bool storageTexels) {
   std::array<VkDescriptorType, shared::BINDINGS> types;
-  types.fill(VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER);
+  types.fill(storageTexels ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
+                           : VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER);
   types[shared::BIND_PARAMS] = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
   for (const auto b :
        {shared::BIND_SAMPLES, shared::BIND_SAMPLES_Y, shared::BIND_FILM, shared::BIND_STATUS})
@@ -29,8 +49,11 @@ std::array<VkDescriptorType, shared::BINDINGS> bindingTypes() {
   return types;
 }
 
-DeviceScene::DeviceScene(const Device& device, const Packed& packed, const Tiling& tiling)
-    : device_(device), bindings_(device, bindingTypes()) {
+DeviceScene::DeviceScene(const Device& device, const Packed& packed, const Tiling& tiling,
+                         bool storageTexels)
+    : device_(device),
+      storageTexels_(storageTexels),
+      bindings_(device, bindingTypes(storageTexels)) {
   params_ = Buffer(device, "parameters", Buffer::Use::Uniform, sizeof packed.params);
   bindings_.bind(shared::BIND_PARAMS, params_);
   upload(packed.params);
@@ -81,17 +104,17 @@ void DeviceScene::refill(Texels& texels, std::uint32_t binding, const char* name
   const VkDeviceSize bytes =
       stableSize(std::max<VkDeviceSize>(data.size(), VkDeviceSize{3} * 16), 16);
   if (texels.buffer.bytes() < bytes) {
-    texels.buffer = Buffer(device_, name, Buffer::Use::Texels, bytes);
-    texels.view = texels.buffer.texelView(kTexels);
-    bindings_.bind(binding, texels.view.get());
+    texels.buffer = this->texels(name, bytes);
+    texels.view = bindTexels(binding, texels.buffer, kTexels);
   }
   if (!data.empty()) texels.buffer.upload(data);
 }
 
 Buffer DeviceScene::samples(std::uint32_t written, std::uint32_t read, std::uint64_t texels) {
-  Buffer buffer(device_, "samples", Buffer::Use::StorageTexels, stableSize(texels * 16, 16));
+  const auto use = storageTexels_ ? Buffer::Use::Storage : Buffer::Use::StorageTexels;
+  Buffer buffer(device_, "samples", use, stableSize(texels * 16, 16));
   bindings_.bind(written, buffer);
-  bindTexels(read, buffer, VK_FORMAT_R32G32B32A32_SFLOAT);
+  views_.push_back(bindTexels(read, buffer, VK_FORMAT_R32G32B32A32_SFLOAT));
   return buffer;
 }
 
@@ -99,19 +122,34 @@ void DeviceScene::poisonSamples() const {
   for (const Buffer* buffer : {&samples_, &samplesY_}) buffer->fill(0xffffffffU);
 }
 
-void DeviceScene::bindTexels(std::uint32_t binding, const Buffer& buffer, VkFormat format) {
-  views_.push_back(buffer.texelView(format));
-  bindings_.bind(binding, views_.back().get());
+Buffer DeviceScene::texels(const char* name, VkDeviceSize bytes) const {
+  return {device_, name, storageTexels_ ? Buffer::Use::Storage : Buffer::Use::Texels, bytes};
+}
+
+Handle<VkBufferView> DeviceScene::bindTexels(std::uint32_t binding, const Buffer& buffer,
+                                             VkFormat format) const {
+  if (storageTexels_) {
+    bindings_.bind(binding, buffer);
+    return {};
+  }
+  Handle<VkBufferView> view = buffer.texelView(format);
+  bindings_.bind(binding, view.get());
+  return view;
 }
 
 void DeviceScene::upload(const DeviceArray& array) {
+  if (storageTexels_ && texelBytes(array.format) < 16) {
+    const std::vector<std::byte> wide = widened(array);
+    upload(DeviceArray{array.binding, array.name, wide, kTexels, array.zeros, false});
+    return;
+  }
   // Every binding needs a buffer, even if the kernel does not read it.
   const VkDeviceSize texel = texelBytes(array.format);
   const VkDeviceSize bytes = std::max<VkDeviceSize>(array.bytes.size() + array.zeros, 3 * texel);
-  Buffer buffer(device_, array.name, Buffer::Use::Texels, stableSize(bytes, texel));
+  Buffer buffer = texels(array.name, stableSize(bytes, texel));
   if (array.zeros != 0) buffer.fillZero(array.bytes.size());
   if (!array.bytes.empty()) buffer.upload(array.bytes);
-  bindTexels(array.binding, buffer, array.format);
+  views_.push_back(bindTexels(array.binding, buffer, array.format));
   buffers_.push_back(std::move(buffer));
 }
 

@@ -8,13 +8,13 @@
 
 namespace laver {
 
-/// The descriptor type of each binding of shared/layout.h.
-std::array<VkDescriptorType, shared::BINDINGS> bindingTypes();
+/// The descriptor type of each binding of shared/layout.h; `storageTexels`: TraceKey.
+std::array<VkDescriptorType, shared::BINDINGS> bindingTypes(bool storageTexels = false);
 
 /// Everything that one render stores on the device, bound as in shared/layout.h.
 class DeviceScene {
  public:
-  DeviceScene(const Device& device, const Packed& packed, const Tiling& tiling);
+  DeviceScene(const Device& device, const Packed& packed, const Tiling& tiling, bool storageTexels);
 
   const Bindings& bindings() const { return bindings_; }
   const Buffer& film() const { return film_; }
@@ -42,10 +42,13 @@ class DeviceScene {
   void refill(Texels& texels, std::uint32_t binding, const char* name,
               std::span<const std::byte> data);
   Buffer samples(std::uint32_t written, std::uint32_t read, std::uint64_t texels);
-  void bindTexels(std::uint32_t binding, const Buffer& buffer, VkFormat format);
+  Buffer texels(const char* name, VkDeviceSize bytes) const;
+  Handle<VkBufferView> bindTexels(std::uint32_t binding, const Buffer& buffer,
+                                  VkFormat format) const;
   void upload(const DeviceArray& array);
 
   const Device& device_;
+  bool storageTexels_;
   Bindings bindings_;
   std::vector<Buffer> buffers_;
   std::vector<Handle<VkBufferView>> views_;

@@ -10,10 +10,10 @@ namespace laver {
 // Not the BSDFs: compilers round one differently beside others, though alike in every traversal.
 const std::vector<std::string>& generalParts() {
   static const std::vector<std::string> parts = {
-      "stack",         "normals",     "materials",   "bsdf records", "lights",
-      "shaped lights", "many lights", "jump levels", "apron",        "strips",
-      "textures",      "images",      "background",  "hits",         "index bytes",
-      "spheres",       "caps",        "far parts",   "far camera",   "slivers"};
+      "stack",       "normals",     "materials",     "bsdf records", "lights",   "shaped lights",
+      "many lights", "jump levels", "apron",         "strips",       "textures", "images",
+      "background",  "hits",        "index bytes",   "spheres",      "caps",     "far parts",
+      "far camera",  "slivers",     "storage texels"};
   return parts;
 }
 
@@ -50,6 +50,7 @@ void generaliseKey(TraceKey& key, const std::string& part, bool stream) {
   if (part == "far parts") key.farParts = true;
   if (part == "slivers") key.slivers = true;
   if (part == "far camera") key.farCamera = true;
+  if (part == "storage texels") key.storageTexels = true;
 }
 
 }  // namespace
@@ -72,6 +73,7 @@ Choices generalised(Choices choices, const std::vector<std::string>& parts) {
       uploads.textureKinds = allTextureNames();
     }
     if (part == "jump levels" && uploads.jumpLevels != 0) uploads.jumpLevels = 3;
+    if (part == "storage texels") choices.storageTexels = choices.gather.storageTexels = true;
     if (part == "hits") uploads.primitives = true;
     if (part == "index bytes") uploads.indexBytes = 4;
     // The widest filter that film/gather_strip.glsl supports.

@@ -64,6 +64,12 @@ Reason adaptive(const Facts& f) {
           "", 0};
 }
 
+Reason arrays(const Facts& f) {
+  if (f.choices.storageTexels)
+    return {"arrays", "storage buffers", "the device's texel buffers are small", "", 0};
+  return {"arrays", "texel buffers", "the device's are large", "widening small formats", 0};
+}
+
 Reason sideBySide(const Facts& f) {
   const Tiling& tiling = f.choices.tiling;
   const double density =
@@ -119,6 +125,7 @@ std::vector<Reason> reasonsOf(const Scene& scene, const RenderOptions& options,
                             filter,
                             film,
                             adaptive,
+                            arrays,
                             sideBySide,
                             passes})
     reasons.push_back(reason(f));

@@ -39,7 +39,7 @@ Kernels compileKernels(const Device& device, const TraceKey& trace, const Gather
   empty.attributeFormat = attributes;
   Tiling smallest{};
   smallest.sampleSlots = smallest.bandPixels = 1;
-  const DeviceScene standIn(device, empty, smallest);
+  const DeviceScene standIn(device, empty, smallest, trace.storageTexels);
   const auto compiled = [&](const std::string& text) {
     return kept != nullptr ? kept->kernel(device, standIn.bindings(), text, attributes)
                            : compileKernel(device, standIn.bindings(), text);

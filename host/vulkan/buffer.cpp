@@ -169,6 +169,19 @@ VkDeviceSize texelBytes(VkFormat format) {
   }
 }
 
+VkDeviceSize wordBytes(VkFormat format) {
+  switch (format) {
+    case VK_FORMAT_R8_UINT:
+    case VK_FORMAT_R8G8B8A8_UINT:
+      return 1;
+    case VK_FORMAT_R16_UINT:
+    case VK_FORMAT_R16G16B16A16_UINT:
+      return 2;
+    default:
+      return 4;
+  }
+}
+
 Handle<VkBufferView> Buffer::texelView(VkFormat format) const {
   Device::requireLimit("maxTexelBufferElements", bytes_ / texelBytes(format),
                        device_->limits().maxTexelBufferElements);

@@ -9,6 +9,8 @@ namespace laver {
 
 /// Size in bytes of a texel of a format that laver uses.
 VkDeviceSize texelBytes(VkFormat format);
+/// Size in bytes of one of its components.
+VkDeviceSize wordBytes(VkFormat format);
 
 /// A buffer with its own device memory. Transfers are plain copies where the host can see that
 /// memory, and go through a staging buffer elsewhere.

@@ -32,12 +32,12 @@ struct SourceSample {
 // The first source whose `upper` exceeds the number.
 Source drawSource(float number) {
   uint low = 0u, count = params.sources;
-  do {
+  DO(count > 0u) {
     const uint middle = count / 2u;
     const bool above = uintBitsToFloat(texelFetch(sourceTexels, int(low + middle)).z) <= number;
     low = above ? low + middle + 1u : low;
     count = above ? count - middle - 1u : middle;
-  } while (count > 0u);
+  } WHILE(count > 0u);
   const uvec4 texel = texelFetch(sourceTexels, int(low < params.sources ? low : params.sources - 1u));
   return Source(texel.x, texel.y, uintBitsToFloat(texel.z), uintBitsToFloat(texel.w));
 }

@@ -42,8 +42,8 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
     counts[r] = SHOWS_EMISSION;
   }
   uint bounce = 0u;
-  bool goesOn;
-  do {
+  bool goesOn = true;
+  DO(goesOn) {
     Segments toSources;
     Rays next;
     vec3 arriving[R];
@@ -119,5 +119,5 @@ void integrate(Rays rays, Hits hits, inout vec3 radiance[R]) {
     goesOn = anyOfSubgroup(goesOn);
     if (goesOn) hits = closest(rays);
     ++bounce;
-  } while (goesOn);
+  } WHILE(goesOn);
 }

@@ -19,8 +19,10 @@ LAVER_FN vec2 cosSinOfTurn(float x) {
       (1.0f + a2 * (-1.0f / 6.0f + a2 * (1.0f / 120.0f + a2 * (-1.0f / 5040.0f + a2 / 362880.0f))));
   LAVER_PRECISE float c =
       1.0f + a2 * (-0.5f + a2 * (1.0f / 24.0f + a2 * (-1.0f / 720.0f + a2 * (1.0f / 40320.0f))));
-  const vec2 turned = (quarters & 1u) == 0u ? vec2(c, s) : vec2(-s, c);
-  return (quarters & 2u) == 0u ? turned : -turned;
+  const bool swaps = (quarters & 1u) != 0u;
+  const float right = chosen(swaps, -s, c), up = chosen(swaps, c, s);
+  const bool turns = (quarters & 2u) != 0u;
+  return vec2(chosen(turns, -right, right), chosen(turns, -up, up));
 }
 
 // Uniform on the sphere: its z is uniform in [-1, 1] (Archimedes).

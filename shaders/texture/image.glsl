@@ -37,8 +37,10 @@ Neighbours neighboursOf(float place, uint size, bool repeats) {
   const float below = floor(place);
   const uint next = uint(int(below) + 1);
   Neighbours n;
-  n.low = next == 0u ? (repeats ? size - 1u : 0u) : min(next - 1u, size - 1u);
-  n.high = next < size ? next : (repeats ? 0u : size - 1u);
+  const uint last = size - 1u, before = min(next - 1u, last);
+  const uint left = repeats ? last : 0u, right = repeats ? 0u : last;
+  n.low = next == 0u ? left : before;
+  n.high = next < size ? next : right;
   n.weight = place - below;
   return n;
 }
@@ -53,8 +55,9 @@ vec3 imageAt(ImageRef image, float s, float t, bool repeats) {
   [[dont_unroll]] for (uint corner = 0u; corner < 4u; ++corner) {
     const bool right = (corner & 1u) != 0u, below = (corner & 2u) != 0u;
     const float weight =
-        (right ? x.weight : 1.0 - x.weight) * (below ? y.weight : 1.0 - y.weight);
-    sum += weight * pixelOf(image, right ? x.high : x.low, below ? y.high : y.low);
+        chosen(right, x.weight, 1.0 - x.weight) * chosen(below, y.weight, 1.0 - y.weight);
+    const uint column = right ? x.high : x.low, row = below ? y.high : y.low;
+    sum += weight * pixelOf(image, column, row);
   }
   return sum;
 }

@@ -1,8 +1,8 @@
 // The walk of a single ray: each lane of a subgroup walks with its own ray and stack.
 //
-// Depths are distances along the ray's dominant axis k (triangle.h). Since loops are `do … while`
-// (lane_stack.glsl), a walk enters the root even for an inactive ray, and tests a triangle even if no leaf is
-// left.
+// Depths are distances along the ray's dominant axis k (triangle.h). Since loops are `do … while` on most devices
+// (DO: texel_buffers.glsl), a walk enters the root even for an inactive ray, and tests a triangle even if no leaf
+// is left.
 //
 // Which hit wins must not depend on the tree, so a node is skipped only if its box, grown sideways by a pad,
 // misses the line (box.h), or lies completely nearer than tmin or farther than the best hit.
@@ -116,6 +116,7 @@ uint testSlot(LaneRay ray, vec3 direction, uint slot, inout float last, inout ui
   return t.more;
 }
 
+bool isLeaf(uint ref) { return ref >= REF_LEAF && ref != REF_NONE; }
 uint rootOfWalk() { return WALKS_PORTIONS ? pass.root : params.root; }
 
 // The slot of the nearest primitive that the ray hits, or NO_HIT, where `known` is the nearest of an earlier
@@ -134,17 +135,17 @@ uint closestLane(vec3 origin, vec3 direction, float tmin, float tmax, bool isAct
              bestId);
   uint ref = rootOfWalk();
   stacked = 0u;
-  do {
-    do ref = enterNode(ray, ref, last); while (ref < REF_LEAF);
-    do {
-      uint slot = slotOf(ref), more;
-      do {
+  DO(ref != REF_NONE) {
+    DO(ref < REF_LEAF) ref = enterNode(ray, ref, last); WHILE(ref < REF_LEAF);
+    DO(isLeaf(ref)) {
+      uint slot = slotOf(ref), more = 1u;
+      DO(more > 0u) {
         more = testSlot(ray, direction, slot, last, best, bestId);
         slot++;
-      } while (more > 0u);
+      } WHILE(more > 0u);
       ref = pop(last);
-    } while (ref >= REF_LEAF && ref != REF_NONE);
-  } while (ref != REF_NONE);
+    } WHILE(isLeaf(ref));
+  } WHILE(ref != REF_NONE);
   return best;
 }
 
@@ -166,11 +167,11 @@ bool unoccludedLane(vec3 point, vec3 direction, bool toLight, vec3 light, bool i
       isActive && !blocked ? alongAxis(abs(direction), ray.shear.axis) * DEPTH_SLACK : NEVER;
   uint ref = rootOfWalk();
   stacked = 0u;
-  do {
-    do ref = enterNode(ray, ref, last); while (ref < REF_LEAF);
-    do {
-      uint slot = slotOf(ref), more;
-      do {
+  DO(ref != REF_NONE) {
+    DO(ref < REF_LEAF) ref = enterNode(ray, ref, last); WHILE(ref < REF_LEAF);
+    DO(isLeaf(ref)) {
+      uint slot = slotOf(ref), more = 1u;
+      DO(more > 0u) {
         const LaneTriangle t = loadTriangle(ray, slot);
         const vec3 a = permute(ray.shear, t.a);
         const vec3 n = planeNormal(permute(ray.shear, t.b) - a, permute(ray.shear, t.c) - a);
@@ -187,10 +188,10 @@ bool unoccludedLane(vec3 point, vec3 direction, bool toLight, vec3 light, bool i
         blocked = blocked || between;
         more = blocked ? 0u : t.more;
         slot++;
-      } while (more > 0u);
+      } WHILE(more > 0u);
       if (blocked) stacked = 0u;
       ref = pop(last);
-    } while (ref >= REF_LEAF && ref != REF_NONE);
-  } while (ref != REF_NONE);
+    } WHILE(isLeaf(ref));
+  } WHILE(ref != REF_NONE);
   return isActive && !blocked;
 }

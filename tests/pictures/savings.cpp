@@ -79,16 +79,16 @@ auto madeGeneral(const TraceKey& key) {
                traversal, stack, jumpLevels, hits, normals, materials, bsdfRecords, spheres, caps,
                farParts, slivers, farCamera, portions, lights, shapedLights, manyLights, lockstep,
                bounces, emission, texturedLights, byteImages, floatImages, adaptive, signedValues,
-               properties] = key;
+               storageTexels, properties] = key;
   return std::tuple(background, textures, layout, stack, jumpLevels, hits, normals, materials,
                     bsdfRecords, spheres, caps, farParts, slivers, farCamera, lights, shapedLights,
-                    manyLights, byteImages, floatImages);
+                    manyLights, byteImages, floatImages, storageTexels);
 }
 
 /// The same; of the filter's texts each rounds in its own way.
 auto madeGeneral(const GatherKey& key) {
-  const auto& [filter, apron, strips, adaptive] = key;
-  return std::tuple(apron, strips);
+  const auto& [filter, apron, strips, adaptive, storageTexels] = key;
+  return std::tuple(apron, strips, storageTexels);
 }
 
 /// Notes which elements differ.

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "kernels/compose.h"
+#include "kernels/modules.h"
 #include "render/packed.h"
 #include "render/renderer.h"
 
@@ -148,8 +152,48 @@ TEST(Choices, EachPartMadeGeneralChangesThatPartAlone) {
     EXPECT_EQ(after.hits != before.hits, part == "hits");
     EXPECT_EQ(after.jumpLevels != before.jumpLevels, part == "jump levels");
     EXPECT_EQ(after.textures != before.textures, part == "textures");
-    EXPECT_EQ(one.gather != needed.gather, part == "apron" || part == "strips");
+    EXPECT_EQ(one.gather != needed.gather,
+              part == "apron" || part == "strips" || part == "storage texels");
   }
+}
+
+TEST(Choices, SmallTexelBuffersAreReplacedByStorageBuffers) {
+  DeviceInfo small = device();
+  small.limits.maxTexelBufferElements = 1U << 16;
+  small.limits.maxPerStageDescriptorStorageBuffers = 30;
+  Scene scene;
+  scene.sampler.sampleCount = 64;
+  scene.camera.width = scene.camera.height = 800;
+  const Choices wide = chosen(scene), narrow = choose(scene, {}, {}, small);
+  EXPECT_FALSE(wide.storageTexels || wide.gather.storageTexels || key(scene).storageTexels);
+  EXPECT_TRUE(narrow.storageTexels && narrow.gather.storageTexels);
+  EXPECT_TRUE(narrow.pictures.front().key.storageTexels);
+  EXPECT_EQ(narrow.tiling.sampleSlots, wide.tiling.sampleSlots);
+}
+
+// Models nearly always have narrow triangles, and a first look has one sample per pixel.
+TEST(Choices, CommonScenesFindTheirKernelsInTheBinary) {
+  const std::vector<std::string> common = commonKernels();
+  EXPECT_LE(common.size(), 20U);
+  const auto embedded = [&](const std::string& text) {
+    return std::find(common.begin(), common.end(), text) != common.end();
+  };
+  Scene scene;
+  scene.integrator = {&integrators::directWhitted};
+  scene.lights.resize(2);
+  scene.camera.width = scene.camera.height = 768;
+  scene.meshes.resize(2);
+  scene.meshes[0].positions = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {1.0, 1e-3, 0.0}};
+  for (const std::uint32_t samples : {1U, 16U, 1024U})
+    for (const std::size_t triangles : {0U, 1U, 1000U}) {
+      scene.sampler.sampleCount = samples;
+      scene.meshes[0].triangles.assign(triangles, {0, 1, 2});
+      const Choices choices = chosen(scene);
+      TraceKey trace = choices.pictures.front().key;
+      trace.stack = TraceKey().stack;
+      EXPECT_TRUE(embedded(compose(trace))) << samples << " samples, " << triangles << " triangles";
+      EXPECT_TRUE(embedded(compose(choices.gather)));
+    }
 }
 
 TEST(Choices, EachChoiceHasItsReason) {
