@@ -16,6 +16,12 @@ int fail(ExitCode code, const std::string& message) {
   return static_cast<int>(code);
 }
 
+/// Comes before the other static objects, tables of texts among them, which take memory.
+struct BeforeOthers {
+  BeforeOthers() { reportLackOfMemory(); }
+};
+[[gnu::init_priority(101)]] const BeforeOthers beforeOthers;
+
 }  // namespace
 
 int main(int argc, char** argv) {

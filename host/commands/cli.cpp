@@ -1,5 +1,7 @@
 #include "commands/cli.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -72,7 +74,11 @@ void addSceneCommand(CLI::App& app, SceneCommand& command) {
                  "adaptive sampling: stop where a pixel's standard error, 1 being white, is below "
                  "E; --spp is the maximum per pixel")
       ->type_name("E")
-      ->check(CLI::PositiveNumber & CLI::Range(0.0, 1e6));
+      ->check([](const std::string& text) {
+        double error = 0.0;
+        const bool fits = CLI::detail::lexical_cast(text, error) && error > 0.0 && error <= 1e6;
+        return fits ? "" : fmt::format("expected a number above 0, at most 1e6, not \"{}\"", text);
+      });
   addNames(app, "--layers", "layers of the EXR file: " + namesOf(layerRows(), ", "),
            namesIn(layerRows()), [&options](const Rows<LayerRow>& all) { options.layers = all; });
   addCrop(app, options.crop);

@@ -157,10 +157,15 @@ Metadata metadataOf(const Scene& scene, const Rendered& rendered, const Stats& s
 
 void writePictures(const std::filesystem::path& exr, const Image& image, const Metadata& metadata,
                    unsigned threads) {
-  const std::string png = pngOf(exr).string();
-  auto pngDone = std::async(kBeside, [&] { writePng(png, image); });
-  writeExr(exr.string(), image, metadata, threads);
-  pngDone.get();
+  const std::string pngName = pngOf(exr).string();
+  auto png = std::async(kBeside, [&] { return encodePng(image, pngName); });
+  const std::vector<std::byte> bytes = encodeExr(exr.string(), image, metadata, threads);
+  AtomicFile exrFile(exr.string()), pngFile(pngName);
+  exrFile.write(bytes);
+  pngFile.write(png.get());
+  // After both can no longer fail for lack of memory or space.
+  exrFile.commit();
+  pngFile.commit();
 }
 
 void writeStats(const RenderCommand& command, const Stats& stats) {

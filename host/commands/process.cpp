@@ -8,7 +8,9 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <iostream>
+#include <new>
 
 namespace laver {
 namespace {
@@ -78,6 +80,22 @@ void Interruption::request() { note(SIGINT); }
 
 ExitCode Interruption::code() {
   return firstSignal == SIGTERM ? ExitCode::Terminated : ExitCode::Interrupted;
+}
+
+void reportLackOfMemory() {
+  std::set_terminate([] {
+    if (const std::exception_ptr thrown = std::current_exception()) {
+      try {
+        std::rethrow_exception(thrown);
+      } catch (const std::bad_alloc&) {
+        constexpr char text[] = "laver: out of memory\n";
+        [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text, sizeof text - 1);
+        ::_exit(static_cast<int>(ExitCode::Output));
+      } catch (...) {
+      }
+    }
+    std::abort();
+  });
 }
 
 void prepareProcess() {

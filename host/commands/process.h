@@ -29,9 +29,14 @@ class Interruption : public Observer {
   static ExitCode code();
 };
 
+/// Makes a lack of memory where nothing can be thrown, or before main(), end the process as
+/// elsewhere: with a line and an exit code.
+void reportLackOfMemory();
+
 /// Makes writing to a closed pipe or beyond a file-size limit fail with an error instead of a
-/// signal, makes a crash under `ulimit -v` an error of the device, and opens standard descriptors that the process was started without, so that no other
-/// file gets their numbers; writing to them fails as before.
+/// signal, makes a crash under `ulimit -v` an error of the device, and opens standard descriptors
+/// that the process was started without, so that no other file gets their numbers; writing to them
+/// fails as before.
 void prepareProcess();
 
 /// Throws Error(Output) if anything printed to std::cout could not be written.

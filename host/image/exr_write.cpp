@@ -204,8 +204,8 @@ std::vector<std::byte> encode(const Image& image, const Metadata& metadata, cons
 
 }  // namespace
 
-void writeExr(const std::string& file, const Image& image, const Metadata& metadata,
-              unsigned threads) {
+std::vector<std::byte> encodeExr(const std::string& file, const Image& image,
+                                 const Metadata& metadata, unsigned threads) {
   std::string reason = imageDefect(image);
   std::vector<std::byte> bytes;
   if (reason.empty()) {
@@ -219,7 +219,12 @@ void writeExr(const std::string& file, const Image& image, const Metadata& metad
   if (!reason.empty()) {
     throw Error(ExitCode::Output, fmt::format("cannot write \"{}\": {}", file, reason));
   }
-  replaceFile(file, bytes);
+  return bytes;
+}
+
+void writeExr(const std::string& file, const Image& image, const Metadata& metadata,
+              unsigned threads) {
+  replaceFile(file, encodeExr(file, image, metadata, threads));
 }
 
 }  // namespace laver

@@ -19,6 +19,10 @@ using Metadata = std::map<std::string, std::variant<std::string, double, int, gl
 void writeExr(const std::string& file, const Image& image, const Metadata& metadata = {},
               unsigned threads = 0);
 
+/// The bytes of that file, whose name errors tell.
+std::vector<std::byte> encodeExr(const std::string& file, const Image& image,
+                                 const Metadata& metadata, unsigned threads);
+
 /// Reads every channel of an EXR file as float, over its data window. Channels are sorted by layer
 /// and name, except that R, G, B, A of a layer come first. Luminance and chroma become R, G, B. Of
 /// several parts it is the first. Throws Error(Usage) if the file cannot be read or is deep.
@@ -38,8 +42,8 @@ enum class PngContent { Render, Drawing };
 void writePng(const std::string& file, const Bitmap& bitmap,
               PngContent content = PngContent::Render);
 
-/// A PNG file in memory. Throws Error(Output).
-std::vector<std::byte> encodePng(const Bitmap& bitmap);
-std::vector<std::byte> encodePng(const Image& image);
+/// The bytes of a PNG file; errors tell its name. Throws Error(Output).
+std::vector<std::byte> encodePng(const Bitmap& bitmap, const std::string& name = "PNG in memory");
+std::vector<std::byte> encodePng(const Image& image, const std::string& name = "PNG in memory");
 
 }  // namespace laver

@@ -188,14 +188,14 @@ void writePng(const std::string& file, const Bitmap& bitmap, PngContent content)
   replaceFile(file, target.bytes);
 }
 
-std::vector<std::byte> encodePng(const Bitmap& bitmap) {
+std::vector<std::byte> encodePng(const Bitmap& bitmap, const std::string& name) {
   PngTarget target;
-  if (!encode(bitmap, PngContent::Render, target)) refuse("PNG in memory", target.reason.data());
+  if (!encode(bitmap, PngContent::Render, target)) refuse(name, target.reason.data());
   return std::move(target.bytes);
 }
 
-std::vector<std::byte> encodePng(const Image& image) {
-  return encodePng(srgbBitmap("PNG in memory", image));
+std::vector<std::byte> encodePng(const Image& image, const std::string& name) {
+  return encodePng(srgbBitmap(name, image), name);
 }
 
 Picture decodePng(std::span<const std::byte> bytes, bool raw) {

@@ -130,8 +130,8 @@ void Reader::readProperty(pugi::xml_node node, PropertyType type, Properties& pr
     diagnostics_.warning(
         at(node), fmt::format("the property \"{}\" is given twice; the last one is used", name));
   }
-  if (const auto value = readValue(node, type, rule.properties[index])) {
-    properties.set(index, *value, at(node));
+  if (auto value = readValue(node, type, rule.properties[index])) {
+    properties.set(index, *std::move(value), at(node));
   } else {
     properties.spoil(index, at(node));
   }

@@ -190,6 +190,7 @@ TEST_F(AdaptiveCommand, RefusesInvalidOptionsInOneLine) {
         laver(std::string("scene.xml --device $device -o a.exr --quiet ") + arguments);
     EXPECT_EQ(run.code, 2) << arguments;
     EXPECT_NE(run.err.find("--error"), std::string::npos) << run.err;
+    EXPECT_LT(run.err.size(), 200U) << run.err;
   }
   EXPECT_EQ(files(), std::set<std::string>{"scene.xml"});
 }
