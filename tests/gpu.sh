@@ -35,9 +35,12 @@ pack() {
 }
 
 # Text as a string of JSON.
-quoted() { tr -d '\000-\010\013-\037' | tr '\t' ' ' | sed 's/\\/\\\\/g; s/"/\\"/g' | awk '{ printf "%s%s", s, $0; s = "\\n" }'; }
+quoted() {
+  tr -d '\000-\010\013-\037' | tr '\t' ' ' | sed 's/\\/\\\\/g; s/"/\\"/g' |
+    awk '{ printf "%s%s", s, $0; s = "\\n" }'
+}
 
-# step NAME SECONDS COMMAND...: one entry, whatever the exit code.
+# step NAME SECONDS COMMAND...: one entry, whatever the exit code. The seconds of all steps add up to ten minutes.
 step() {
   name=$1 limit=$2
   shift 2
@@ -56,7 +59,7 @@ measure() {
   scene=$1
   shift
   for run in first second; do
-    step "$scene $* $run" 60 "$tree/build/laver" "$tree/scenes/$scene.xml" --device "$device" -q "$@" \
+    step "$scene $* $run" 20 "$tree/build/laver" "$tree/scenes/$scene.xml" --device "$device" -q "$@" \
       -o "$work/p.exr" "--stats=$work/stats"
     [ ! -s "$work/stats" ] ||
       printf '%s{"scene": "%s %s", "run": "%s", "stats": %s}' "$between" "$scene" "$*" "$run" "$(cat "$work/stats")" \
@@ -82,14 +85,14 @@ run() {
   comma='' between=''
   : > "$work/steps"
   : > "$work/figures"
-  step devices 30 "$tree/build/laver" devices
-  step check 90 "$tree/build/laver" devices --check
+  step devices 10 "$tree/build/laver" devices
+  step check 60 "$tree/build/laver" devices --check
   for traversal in lane packet32 packet64; do
     measure bunny-whitted --spp 64 --traversal "$traversal"
   done
   measure cornell-ao --spp 64
   measure box-glass --spp 64
-  step pictures 200 "$tree/build/tests/picture_tests" '--gtest_filter=Scenes.*:Scenes/EveryScene.*:PathScenes.*'
+  step pictures 130 "$tree/build/tests/picture_tests" '--gtest_filter=Scenes.*:Scenes/EveryScene.*:PathScenes.*'
   step stability 200 "$tree/build/tests/stability/stability_tests" \
     '--gtest_filter=Stability.*-Stability.Spirv:Stability.Trees'
   printf '{"machine": "%s", "processors": %s, "steps": [%s], "figures": [%s]}\n' "$(uname -srm | quoted)" \
