@@ -35,14 +35,14 @@ std::map<std::string, std::string> readExrTexts(const std::string& file);
 /// Throws Error(Usage) if it is no EXR file.
 Metadata readExrMetadata(const std::string& file);
 
-/// Writes R, G, B as 8-bit sRGB, clamped and rounded to nearest. Replaces the file atomically.
-void writePng(const std::string& file, const Image& image);
 /// The kind of image, which determines how a PNG is compressed.
 enum class PngContent { Render, Drawing };
+/// Replaces the file atomically. Throws Error(Output).
 void writePng(const std::string& file, const Bitmap& bitmap,
               PngContent content = PngContent::Render);
 
-/// The bytes of a PNG file; errors tell its name. Throws Error(Output).
+/// The bytes of a PNG file; errors tell its name. An image's R, G, B become 8-bit sRGB, clamped and
+/// rounded to nearest. Throws Error(Output).
 std::vector<std::byte> encodePng(const Bitmap& bitmap, const std::string& name = "PNG in memory");
 std::vector<std::byte> encodePng(const Image& image, const std::string& name = "PNG in memory");
 

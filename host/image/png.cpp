@@ -176,11 +176,6 @@ void readPixels(PngReader& reader, std::vector<Pixel>& pixels) {
 
 }  // namespace
 
-void writePng(const std::string& file, const Image& image) {
-  if (const std::string defect = imageDefect(image); !defect.empty()) refuse(file, defect);
-  writePng(file, srgbBitmap(file, image));
-}
-
 void writePng(const std::string& file, const Bitmap& bitmap, PngContent content) {
   static_assert(sizeof(Rgb8) == 3);
   PngTarget target;
@@ -195,6 +190,7 @@ std::vector<std::byte> encodePng(const Bitmap& bitmap, const std::string& name) 
 }
 
 std::vector<std::byte> encodePng(const Image& image, const std::string& name) {
+  if (const std::string defect = imageDefect(image); !defect.empty()) refuse(name, defect);
   return encodePng(srgbBitmap(name, image), name);
 }
 

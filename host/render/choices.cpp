@@ -202,7 +202,7 @@ Crop pilotsOf(const Crop& pixels, std::uint32_t apron, const Camera& camera) {
 
 Tiling tilingOf(const Scene& scene, const RenderOptions& options, const VulkanOptions& vulkan,
                 VkPhysicalDeviceLimits limits, const Choices& choices) {
-  if (choices.storageTexels)  // one sample's texel has 16 bytes
+  if (choices.gather.storageTexels)  // one sample's texel has 16 bytes
     limits.maxTexelBufferElements = limits.maxStorageBufferRange / 16;
   const std::uint32_t apron = choices.gather.apron;
   const Camera& camera = scene.camera;

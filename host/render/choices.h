@@ -60,9 +60,8 @@ struct Choices {
   GatherKey gather;
   Uploads uploads;
   Traversal traversal = Traversal::Lane;
-  Crop core;                   ///< the film or its crop
-  std::vector<Strip> strips;   ///< the pixels of the picture: the core, or a shard of it
-  bool storageTexels = false;  ///< the device's texel buffers are too small
+  Crop core;                  ///< the film or its crop
+  std::vector<Strip> strips;  ///< the pixels of the picture: the core, or a shard of it
   Tiling tiling;
   std::vector<Reason> reasons;
 };

@@ -28,7 +28,7 @@ glm::uvec4 within(const Crop& part, const glm::uvec4& area) {
 DeviceScene uploaded(const Device& device, const Packed& packed, const Choices& choices,
                      double& seconds) {
   const Stopwatch watch(seconds);
-  DeviceScene scene(device, packed, choices.tiling, choices.storageTexels);
+  DeviceScene scene(device, packed, choices.tiling, choices.gather.storageTexels);
   scene.film().fillZero();
   return scene;
 }

@@ -73,7 +73,7 @@ Choices generalised(Choices choices, const std::vector<std::string>& parts) {
       uploads.textureKinds = allTextureNames();
     }
     if (part == "jump levels" && uploads.jumpLevels != 0) uploads.jumpLevels = 3;
-    if (part == "storage texels") choices.storageTexels = choices.gather.storageTexels = true;
+    if (part == "storage texels") choices.gather.storageTexels = true;
     if (part == "hits") uploads.primitives = true;
     if (part == "index bytes") uploads.indexBytes = 4;
     // The widest filter that film/gather_strip.glsl supports.

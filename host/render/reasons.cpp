@@ -65,7 +65,7 @@ Reason adaptive(const Facts& f) {
 }
 
 Reason arrays(const Facts& f) {
-  if (f.choices.storageTexels)
+  if (f.choices.gather.storageTexels)
     return {"arrays", "storage buffers", "the device's texel buffers are small", "", 0};
   return {"arrays", "texel buffers", "the device's are large", "widening small formats", 0};
 }

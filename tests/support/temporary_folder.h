@@ -8,36 +8,26 @@
 #include <string>
 #include <system_error>
 
+#include "lab/scratch.h"
+
 namespace laver::test {
 
 /// An empty folder that is removed with the object.
 class TemporaryFolder {
  public:
-  TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "laver-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = pattern;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-  std::string path(const std::string& name) const { return (path_ / name).string(); }
+  const std::filesystem::path& path() const { return scratch_.path(); }
+  std::string path(const std::string& name) const { return (path() / name).string(); }
 
   /// Writes a file, creates its subfolders, and returns its path.
   std::string write(const std::string& name, const std::string& text) const {
-    std::filesystem::create_directories((path_ / name).parent_path());
+    std::filesystem::create_directories((path() / name).parent_path());
     std::ofstream(path(name), std::ios::binary) << text;
     return path(name);
   }
 
   /// A text without the folder in it.
   std::string withoutPath(std::string text) const {
-    const std::string before = path_.string() + "/";
+    const std::string before = path().string() + "/";
     for (std::size_t at; (at = text.find(before)) != std::string::npos;)
       text.erase(at, before.size());
     return text;
@@ -46,13 +36,13 @@ class TemporaryFolder {
   /// Names of all entries, including hidden ones.
   std::set<std::string> names() const {
     std::set<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(path_))
+    for (const auto& entry : std::filesystem::directory_iterator(path()))
       names.insert(entry.path().filename().string());
     return names;
   }
 
  private:
-  std::filesystem::path path_;
+  Scratch scratch_;
 };
 
 inline std::string contents(const std::filesystem::path& file) {

@@ -138,7 +138,7 @@ TEST(AtomicFile, KeepsTheOldPictureWhenTheDiskIsFull) {
   const TemporaryFolder folder;
   const Image old = rgbImage(8, 8);
   writeExr(folder.path("a.exr"), old);
-  writePng(folder.path("a.png"), old);
+  replaceFile(folder.path("a.png"), encodePng(old));
   const std::string exr = contents(folder.path("a.exr"));
   const std::string png = contents(folder.path("a.png"));
   {
@@ -146,7 +146,8 @@ TEST(AtomicFile, KeepsTheOldPictureWhenTheDiskIsFull) {
     Image image = rgbImage(8, 8);
     image.pixels[0] = 1.0f;
     expectError(ExitCode::Output, "File too large", [&] { writeExr(folder.path("a.exr"), image); });
-    expectError(ExitCode::Output, "File too large", [&] { writePng(folder.path("a.png"), image); });
+    expectError(ExitCode::Output, "File too large",
+                [&] { replaceFile(folder.path("a.png"), encodePng(image)); });
   }
   EXPECT_EQ(contents(folder.path("a.exr")), exr);
   EXPECT_EQ(contents(folder.path("a.png")), png);
