@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -117,10 +118,20 @@ inline Mesh quad(const std::array<glm::dvec3, 4>& corners, const glm::dvec3& alb
   return mesh;
 }
 
+/// One renderer for all tests of a process with these options, which keeps its kernels.
+inline Renderer& rendererOf(VulkanOptions vulkan) {
+  static std::vector<std::pair<VulkanOptions, std::unique_ptr<Renderer>>> renderers;
+  vulkan.keepsKernels = true;
+  for (const auto& [options, renderer] : renderers)
+    if (options == vulkan) return *renderer;
+  renderers.emplace_back(vulkan, std::make_unique<Renderer>(vulkan));
+  return *renderers.back().second;
+}
+
 inline Image render(const Scene& scene, const VulkanOptions& vulkan = onTestDevice(),
                     const RenderOptions& options = {}) {
   Stats stats;
-  Rendered rendered = Renderer(vulkan).render(scene, options, stats);
+  Rendered rendered = rendererOf(vulkan).render(scene, options, stats);
   EXPECT_EQ(rendered.droppedSamples, 0U) << scene.file;
   return std::move(rendered.image);
 }

@@ -62,7 +62,7 @@ void addPicture(Record& record, const ClosedMesh& mesh, const Bvh& listed, Subje
 
 LAVER_STABILITY(Edges, "Edge and vertex rays at closed meshes") {
   // The whole is 1e8 rays, shared among the offsets and the traversals that run on a device.
-  const std::uint64_t chunks = amount(full, 4, 64);
+  const std::uint64_t chunks = amount(full, 1, 64);
   for (const double offset : {0.0, 1e3, 1e5}) {
     // At 1e5 floats are 2^-7 apart: a sphere of radius 10 keeps its 82,000 triangles apart.
     const double radius = offset > 1e4 ? 10.0 : 1.0;

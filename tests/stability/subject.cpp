@@ -49,8 +49,9 @@ class TwinSubject : public Subject {
 
 class DeviceSubject : public Subject {
  public:
-  DeviceSubject(const Device& device, const Bvh& bvh, const std::string& traversal)
-      : tracer_(device, bvh, traversal) {
+  DeviceSubject(const Device& device, const Bvh& bvh, const std::string& traversal,
+                std::shared_ptr<TestKernels> kernels)
+      : tracer_(device, bvh, traversal, std::move(kernels)) {
     name = traversal;
   }
   std::vector<TestHit> closest(std::span<const TestRay> rays) override {
@@ -77,11 +78,12 @@ class DeviceSubject : public Subject {
 std::vector<std::unique_ptr<Subject>> subjects(const Bvh& bvh) {
   static const Instance instance(false);
   static const Device device(choosePhysicalDevice(instance, testDevice()));
+  static const auto kernels = std::make_shared<TestKernels>();
   std::vector<std::unique_ptr<Subject>> all;
-  all.push_back(std::make_unique<DeviceSubject>(device, bvh, "lane"));
+  all.push_back(std::make_unique<DeviceSubject>(device, bvh, "lane", kernels));
   if (runsPackets(device.info()))
     for (const char* packet : {"packet32", "packet64"})
-      all.push_back(std::make_unique<DeviceSubject>(device, bvh, packet));
+      all.push_back(std::make_unique<DeviceSubject>(device, bvh, packet, kernels));
   for (const Twin* twin : twins()) all.push_back(std::make_unique<TwinSubject>(twin, bvh));
   return all;
 }

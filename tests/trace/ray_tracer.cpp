@@ -44,30 +44,38 @@ std::vector<VkDescriptorType> testBindingTypes() {
   return types;
 }
 
-Kernel kernelOf(const Device& device, const Bindings& bindings, const char* query,
-                const std::string& traversal, const Bvh& bvh) {
+TraceKey keyOf(const std::string& traversal, const Bvh& bvh) {
   TraceKey key;
   for (const Traversal t : {Traversal::Lane, Traversal::Packet32, Traversal::Packet64})
     if (traversal == traversalName(t)) key.traversal = t;
   key.stack = stackFor(64, bvh.stack);  // so that most trees share a kernel
   key.spheres = std::any_of(bvh.triangles.begin(), bvh.triangles.end(),
                             [](const auto& t) { return t.flipped == shared::IS_SPHERE; });
-  const std::string text = fmt::format("#define QUERY {}\n{}", query, testText("trace_rays.glsl"));
-  return {device, bindings, moduleOf(composeWith(key, text)).words, sizeof(shared::Pass)};
+  return key;
 }
 
 }  // namespace
 
+const Kernel& TestKernels::get(const Device& device, const Bindings& bindings,
+                               const std::string& text) {
+  const auto found = kernels_.find(text);
+  if (found != kernels_.end()) return found->second;
+  return kernels_
+      .try_emplace(text, device, bindings, moduleOf(text).words,
+                   static_cast<std::uint32_t>(sizeof(shared::Pass)))
+      .first->second;
+}
+
 struct RayTracer::Impl {
-  Impl(const Device& d, const Bvh& bvh, const std::string& traversal)
+  Impl(const Device& d, const Bvh& bvh, const std::string& traversal,
+       std::shared_ptr<TestKernels> theKernels)
       : device(d),
         bindings(d, testBindingTypes()),
         params(d, "parameters", Buffer::Use::Uniform, sizeof(shared::Params)),
         status(d, "status", Buffer::Use::Storage, sizeof(shared::Status)),
         output(d, "hits", Buffer::Use::Storage, kRays * sizeof(TestHit)),
-        closest(kernelOf(d, bindings, "traceFromOne", traversal, bvh)),
-        any(kernelOf(d, bindings, "traceRays", traversal, bvh)),
-        visible(kernelOf(d, bindings, "seePoints", traversal, bvh)) {
+        key(keyOf(traversal, bvh)),
+        kernels(std::move(theKernels)) {
     shared::Params values{};
     values.root = bvh.root;
     values.packetWindow = packetWindow(bvh.triangles.size());
@@ -93,6 +101,17 @@ struct RayTracer::Impl {
     const Buffer& buffer = bindTexels(binding, data.size() + zeros);
     buffer.fillZero();
     if (!data.empty()) buffer.upload(data);
+  }
+
+  /// The kernel of a query, a function of trace_rays.glsl.
+  const Kernel& kernelOf(const std::string& query) {
+    const Kernel*& kernel = kernelOfQuery[query];
+    if (kernel == nullptr) {
+      const std::string main =
+          fmt::format("#define QUERY {}\n{}", query, testText("trace_rays.glsl"));
+      kernel = &kernels->get(device, bindings, composeWith(key, main));
+    }
+    return *kernel;
   }
 
   void run(const Kernel& kernel, shared::Pass pass, std::size_t count) {
@@ -124,24 +143,28 @@ struct RayTracer::Impl {
   std::vector<Handle<VkBufferView>> views;
   std::deque<Buffer> buffers;
   const Buffer* input = nullptr;
-  Kernel closest, any, visible;
+  TraceKey key;
+  std::shared_ptr<TestKernels> kernels;
+  std::map<std::string, const Kernel*> kernelOfQuery;
   double seconds = 0;
   std::uint32_t incomplete = 0;
 };
 
-RayTracer::RayTracer(const Device& device, const Bvh& bvh, const std::string& traversal)
-    : impl_(std::make_unique<Impl>(device, bvh, traversal)) {}
+RayTracer::RayTracer(const Device& device, const Bvh& bvh, const std::string& traversal,
+                     std::shared_ptr<TestKernels> kernels)
+    : impl_(std::make_unique<Impl>(device, bvh, traversal, std::move(kernels))) {}
 RayTracer::~RayTracer() = default;
 
 std::vector<TestHit> RayTracer::closest(std::span<const TestRay> rays) {
-  return trace(impl_->closest, rays);
+  return trace("traceFromOne", rays);
 }
 
 std::vector<TestHit> RayTracer::closestOfAny(std::span<const TestRay> rays) {
-  return trace(impl_->any, rays);
+  return trace("traceRays", rays);
 }
 
-std::vector<TestHit> RayTracer::trace(const Kernel& kernel, std::span<const TestRay> rays) {
+std::vector<TestHit> RayTracer::trace(const std::string& query, std::span<const TestRay> rays) {
+  const Kernel& kernel = impl_->kernelOf(query);
   std::vector<TestHit> hits(rays.size());
   impl_->inParts(rays.size(), [&](std::size_t begin, std::size_t end) {
     impl_->input->upload(std::as_bytes(rays.subspan(begin, end - begin)));
@@ -152,6 +175,7 @@ std::vector<TestHit> RayTracer::trace(const Kernel& kernel, std::span<const Test
 }
 
 std::vector<std::uint32_t> RayTracer::visible(glm::vec3 light, std::span<const glm::vec3> points) {
+  const Kernel& kernel = impl_->kernelOf("seePoints");
   std::vector<glm::vec4> texels(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) texels[i] = glm::vec4(points[i], 0.0F);
   shared::Pass pass{};
@@ -159,7 +183,7 @@ std::vector<std::uint32_t> RayTracer::visible(glm::vec3 light, std::span<const g
   std::vector<glm::vec4> seen(points.size());
   impl_->inParts(points.size(), [&](std::size_t begin, std::size_t end) {
     impl_->input->upload(std::as_bytes(std::span(texels).subspan(begin, end - begin)));
-    impl_->run(impl_->visible, pass, end - begin);
+    impl_->run(kernel, pass, end - begin);
     impl_->output.download(std::as_writable_bytes(std::span(seen).subspan(begin, end - begin)));
   });
   std::vector<std::uint32_t> clear;

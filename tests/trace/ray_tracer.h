@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -28,12 +29,22 @@ struct TestHit {
 /// The text of a kernel in tests/trace/.
 std::string testText(const std::string& name);
 
+/// Kernels of one device by their text, compiled when they are first asked for.
+class TestKernels {
+ public:
+  const Kernel& get(const Device& device, const Bindings& bindings, const std::string& text);
+
+ private:
+  std::map<std::string, Kernel> kernels_;
+};
+
 /// Traces arbitrary rays with the traversals of shaders/, in kernels made for tests.
 class RayTracer {
  public:
   /// `traversal` is "lane", "packet32" or "packet64"; packets need the features that runsPackets()
-  /// checks. Throws Error(Device).
-  RayTracer(const Device& device, const Bvh& bvh, const std::string& traversal);
+  /// checks. Tracers of one device may share `kernels`. Throws Error(Device).
+  RayTracer(const Device& device, const Bvh& bvh, const std::string& traversal,
+            std::shared_ptr<TestKernels> kernels = std::make_shared<TestKernels>());
   ~RayTracer();
 
   /// Nearest hits. Packets take rays in blocks of 64 that share the origin of their first ray; the
@@ -53,7 +64,7 @@ class RayTracer {
   std::uint32_t incomplete() const;
 
  private:
-  std::vector<TestHit> trace(const Kernel& kernel, std::span<const TestRay> rays);
+  std::vector<TestHit> trace(const std::string& query, std::span<const TestRay> rays);
 
   struct Impl;
   std::unique_ptr<Impl> impl_;
