@@ -17,7 +17,7 @@ constexpr std::uint32_t kPiece = 1U << 13;
 
 struct Range : Subtree {
   unsigned depth;
-  unsigned buffer;  ///< which of the two buffers holds the items
+  unsigned buffer;  ///< of its items: 0 for the tree's own, 1 for the spare one
 };
 
 class Builder {
@@ -25,7 +25,7 @@ class Builder {
   Builder(UninitialisedVector<BuildItem> items, unsigned threads) : threads_(threads) {
     tree_.items = std::move(items);
     tree_.nodes.resize(tree_.items.size() - 1);
-    other_.resize(tree_.items.size());
+    spare_.resize(tree_.items.size());
   }
 
   BinaryTree build() {
@@ -34,7 +34,7 @@ class Builder {
     std::sort(done_.begin(), done_.end(),
               [](const Done& a, const Done& b) { return a.first < b.first; });
     auto next = done_.cbegin();
-    top(tree_.root(), next);
+    aboveTasks(tree_.root(), next);
     return std::move(tree_);
   }
 
@@ -45,10 +45,10 @@ class Builder {
   };
 
   BuildItem* itemsOf(const Range& r) {
-    return (r.buffer == 0 ? tree_.items : other_).data() + r.first;
+    return (r.buffer == 0 ? tree_.items : spare_).data() + r.first;
   }
-  BuildItem* spareOf(const Range& r) {
-    return (r.buffer == 0 ? other_ : tree_.items).data() + r.first;
+  BuildItem* targetOf(const Range& r) {
+    return (r.buffer == 0 ? spare_ : tree_.items).data() + r.first;
   }
 
   /// Splits ranges larger than a thread's share, one after the other, each with all threads.
@@ -115,23 +115,27 @@ class Builder {
       return oneItem(tree_.items[range.first].box.halfArea());
     }
     const auto [left, right] = split(range);
-    const Forest l = subtree(left), r = subtree(right);
-    BinaryNode& node = tree_.nodes[range.node];
-    return joined(l, left.count, r, right.count, node.box().halfArea(), node.choices);
+    const Forest ofLeft = subtree(left), ofRight = subtree(right);
+    return collapsed(range, ofLeft, ofRight);
   }
 
-  /// Computes the collapse costs above the tasks.
-  Forest top(const Subtree& s, std::vector<Done>::const_iterator& next) {
+  /// The costs of the nodes above the tasks; `next` goes through done_ in the order of items.
+  Forest aboveTasks(const Subtree& s, std::vector<Done>::const_iterator& next) {
     if (s.count <= kTaskItems) return (next++)->forest;
-    const Subtree left = tree_.left(s), right = tree_.right(s);
-    const Forest l = top(left, next), r = top(right, next);
+    const Forest ofLeft = aboveTasks(tree_.left(s), next),
+                 ofRight = aboveTasks(tree_.right(s), next);
+    return collapsed(s, ofLeft, ofRight);
+  }
+
+  Forest collapsed(const Subtree& s, const Forest& ofLeft, const Forest& ofRight) {
     BinaryNode& node = tree_.nodes[s.node];
-    return joined(l, left.count, r, right.count, node.box().halfArea(), node.choices);
+    return joined(ofLeft, node.leftCount, ofRight, s.count - node.leftCount, node.box().halfArea(),
+                  node.choices);
   }
 
   std::pair<Range, Range> split(const Range& range) {
     const BuildItem* items = itemsOf(range);
-    const Bounds bounds = boundsOf(items, range.count);
+    const ItemBounds bounds = boundsOf(items, range.count);
     const Binning binning(bounds.centroids, range.count);
     Split best;
     if (range.depth < kSahDepth) {
@@ -140,7 +144,7 @@ class Builder {
       best = bins.cheapest(binning);
     }
     if (best.axis < 0) return halve(range, bounds);
-    BuildItem* out = spareOf(range);
+    BuildItem* out = targetOf(range);
     place(items, range.count, binning, best, out, 0, best.leftCount);
     return divided(range, bounds, best.leftCount, range.buffer ^ 1U);
   }
@@ -153,12 +157,12 @@ class Builder {
         f(begin / kPiece, items + begin, static_cast<std::uint32_t>(end - begin));
       });
     };
-    std::vector<Bounds> boundsOfPiece(pieces);
+    std::vector<ItemBounds> boundsOfPiece(pieces);
     forPieces([&](std::size_t piece, const BuildItem* from, std::uint32_t count) {
       boundsOfPiece[piece] = boundsOf(from, count);
     });
-    Bounds bounds;
-    for (const Bounds& b : boundsOfPiece) {
+    ItemBounds bounds;
+    for (const ItemBounds& b : boundsOfPiece) {
       bounds.box.grow(b.box);
       bounds.centroids.grow(b.centroids);
     }
@@ -169,13 +173,13 @@ class Builder {
     });
     Bins bins(binning.bins());
     for (const Bins& b : binsOf) bins.add(b);
-    const Split best = bins.cheapest(binning);
+    const Split best = range.depth < kSahDepth ? bins.cheapest(binning) : Split{};
     if (best.axis < 0) return halve(range, bounds);
-    // Target offsets of each piece's left and right items, so that their order is kept.
+    // Left items before each piece: items keep their order.
     std::vector<std::uint32_t> leftBefore(pieces + 1, 0);
     for (std::size_t i = 0; i < pieces; ++i)
       leftBefore[i + 1] = leftBefore[i] + binsOf[i].upTo(best);
-    BuildItem* out = spareOf(range);
+    BuildItem* out = targetOf(range);
     forPieces([&](std::size_t piece, const BuildItem* from, std::uint32_t count) {
       const std::uint32_t left = leftBefore[piece];
       const auto before = static_cast<std::uint32_t>(piece) * kPiece;
@@ -184,6 +188,7 @@ class Builder {
     return divided(range, bounds, best.leftCount, range.buffer ^ 1U);
   }
 
+  /// Moves left items to out[left], … and right items to out[right], …, in their order.
   static void place(const BuildItem* items, std::uint32_t count, const Binning& binning,
                     const Split& split, BuildItem* out, std::uint32_t left, std::uint32_t right) {
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -195,7 +200,8 @@ class Builder {
     }
   }
 
-  std::pair<Range, Range> halve(const Range& range, const Bounds& bounds) {
+  /// At the median of the widest axis; ids break ties.
+  std::pair<Range, Range> halve(const Range& range, const ItemBounds& bounds) {
     const Float4 extent = bounds.centroids.hi - bounds.centroids.lo;
     const int axis = extent[0] >= extent[1] ? (extent[0] >= extent[2] ? 0 : 2)
                                             : (extent[1] >= extent[2] ? 1 : 2);
@@ -210,8 +216,9 @@ class Builder {
     return divided(range, bounds, half, range.buffer);
   }
 
-  std::pair<Range, Range> divided(const Range& range, const Bounds& bounds, std::uint32_t leftCount,
-                                  unsigned buffer) {
+  /// Writes the node of a range and returns its children.
+  std::pair<Range, Range> divided(const Range& range, const ItemBounds& bounds,
+                                  std::uint32_t leftCount, unsigned buffer) {
     BinaryNode& node = tree_.nodes[range.node];
     node = std::bit_cast<BinaryNode>(bounds.box);
     node.leftCount = leftCount;
@@ -221,7 +228,7 @@ class Builder {
 
   unsigned threads_;
   BinaryTree tree_;
-  UninitialisedVector<BuildItem> other_;
+  UninitialisedVector<BuildItem> spare_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::vector<Range> open_;

@@ -45,9 +45,9 @@ inline constexpr std::uint32_t kTaskItems = 4096;
 /// From this depth on, items are halved by count.
 inline constexpr unsigned kSahDepth = 48;
 
-/// Builds by binned SAH down to single items. Below a depth that no ordinary mesh reaches, items
-/// are halved by count, which bounds the depth by kSahDepth + log2(n). The tree does not depend on
-/// the number of threads (0: all).
+/// Builds a tree of one or more items by binned SAH, down to single items. Below a depth that no
+/// ordinary mesh reaches, items are halved by count, which bounds the depth by kSahDepth + log2(n).
+/// The tree does not depend on the number of threads (0: all).
 BinaryTree buildBinary(UninitialisedVector<BuildItem> items, unsigned threads);
 
 }  // namespace laver

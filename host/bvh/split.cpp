@@ -4,8 +4,8 @@
 
 namespace laver {
 
-Bounds boundsOf(const BuildItem* items, std::uint32_t count) {
-  Bounds bounds;
+ItemBounds boundsOf(const BuildItem* items, std::uint32_t count) {
+  ItemBounds bounds;
   for (std::uint32_t i = 0; i < count; ++i) bounds.grow(items[i].box);
   return bounds;
 }

@@ -7,15 +7,15 @@
 
 namespace laver {
 
-/// Bounds of items and of their centroids (times two, which saves a product).
-struct Bounds {
+/// ItemBounds of items and of their centroids (times two, which saves a product).
+struct ItemBounds {
   Box4 box = kEmptyBox, centroids = kEmptyBox;
   void grow(const Box4& item) {
     box.grow(item);
     centroids.grow(item.lo + item.hi);
   }
 };
-Bounds boundsOf(const BuildItem* items, std::uint32_t count);
+ItemBounds boundsOf(const BuildItem* items, std::uint32_t count);
 
 /// Maps centroids to bins on all three axes; an axis without extent has scale 0.
 class Binning {

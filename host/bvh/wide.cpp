@@ -31,7 +31,8 @@ Forest twoItems(float area, float left, float right, CollapseChoices& choices) {
 Forest joined(const Forest& left, std::uint32_t leftCount, const Forest& right,
               std::uint32_t rightCount, float area, CollapseChoices& choices) {
   static_assert(shared::NODE_WIDTH == 8);
-  // Lane t - 1 of (low, high): the minimum cost of t trees, of which the left child gets k.
+  // Lane t - 1 of (low, high): the minimum cost of t trees; of (lowLeft, highLeft): the left
+  // child's share of them.
   Float4 low = splat(kInfinity), high = low;
   Int4 lowLeft{1, 1, 1, 1}, highLeft = lowLeft;
   const auto& r = right.cost;
@@ -42,10 +43,10 @@ Forest joined(const Forest& left, std::uint32_t leftCount, const Forest& right,
     rightLow = __builtin_shufflevector(rightLow, splat(kInfinity), 4, 0, 1, 2);
     const Float4 leftCost = splat(left.cost[k - 1]);
     const Float4 a = leftCost + rightLow, b = leftCost + rightHigh;
-    const auto kLanes = static_cast<std::int32_t>(k);
-    const Int4 trees{kLanes, kLanes, kLanes, kLanes};
-    lowLeft = a < low ? trees : lowLeft;
-    highLeft = b < high ? trees : highLeft;
+    const auto share = static_cast<std::int32_t>(k);
+    const Int4 shares{share, share, share, share};
+    lowLeft = a < low ? shares : lowLeft;
+    highLeft = b < high ? shares : highLeft;
     low = min(a, low);
     high = min(b, high);
   }
@@ -55,6 +56,7 @@ Forest joined(const Forest& left, std::uint32_t leftCount, const Forest& right,
   const float inner = high[3] + area * kNodeCost;
   Forest forest;
   forest.cost[0] = std::min(inner, leaf);
+  // Costs of huge boxes may both be infinite.
   std::uint32_t nibbles =
       inner < leaf || count > shared::MAX_LEAF ? static_cast<std::uint32_t>(highLeft[3]) : 0;
   for (unsigned i = 1; i < shared::NODE_WIDTH; ++i) {

@@ -25,6 +25,7 @@ struct CollapseChoices {
   unsigned left(unsigned trees) const { return nibbles >> 4 * (trees - 1) & 15U; }
 };
 
+/// Of an item of half area `area`.
 Forest oneItem(float area);
 
 /// Two items of the given half areas below a box of half area `area`.

@@ -162,6 +162,8 @@ void addMerge(CLI::App& app, MergeCommand& command) {
 
 void addExplain(CLI::App& app, ExplainCommand& command) {
   addScene(app, command.scene)->required();
+  addSize(app, command.overrides.size, "size of the film in pixels");
+  app.add_option("--seed", command.overrides.seed, "seed of the sampler");
   addDevice(app, command.vulkan);
 }
 
@@ -260,6 +262,11 @@ Job parse(int argc, const char* const* argv) {
   app.require_subcommand(0, 1);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::ExtrasError&) {
+    const auto used = app.get_subcommands();
+    throw Error(ExitCode::Usage, fmt::format("unexpected argument {}; see laver{} --help",
+                                             app.remaining(true).front(),
+                                             used.empty() ? "" : " " + used.front()->get_name()));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) throw Error(ExitCode::Usage, error.what());
     std::ostringstream text;

@@ -66,6 +66,7 @@ struct MergeCommand {
 /// `laver explain SCENE.xml`.
 struct ExplainCommand {
   std::string scene;
+  SceneOverrides overrides;
   VulkanOptions vulkan;
 };
 

@@ -27,8 +27,23 @@ nlohmann::ordered_json jsonOf(const Distribution& d) {
   return json;
 }
 
-/// JSON has no infinity: null.
-std::string textOf(const CompareCommand& command, const Measured& all, bool within) {
+// File names need not be UTF-8.
+std::string dumped(const nlohmann::ordered_json& json) {
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+}
+
+/// The files, and the pixels that are compared if they are not all of both.
+nlohmann::ordered_json filesOf(const CompareCommand& command, const Image& a, bool cut) {
+  nlohmann::ordered_json json = {{"a", command.a}, {"b", command.b}};
+  if (cut)
+    json["compared"] = {
+        {"width", a.width}, {"height", a.height}, {"x", a.window.x}, {"y", a.window.y}};
+  return json;
+}
+
+/// The report as text or as JSON, where infinity and NaN become null.
+std::string textOf(const CompareCommand& command, nlohmann::ordered_json json, const Measured& all,
+                   bool within) {
   const double tolerance = command.tolerance.value_or(0.0);
   if (!command.json) {
     std::string text = describe(all.channels, tolerance);
@@ -41,9 +56,10 @@ std::string textOf(const CompareCommand& command, const Measured& all, bool with
           100.0 * all.flip->share);
     return text;
   }
-  nlohmann::ordered_json json = {{"a", command.a}, {"b", command.b}, {"metric", command.metric}};
+  json["metric"] = command.metric;
   if (command.tolerance) {
     json["tolerance"] = tolerance;
+    if (command.maxShare) json["maxShare"] = *command.maxShare;
     json["within"] = within;
   }
   if (all.flip) json["flip"] = jsonOf(*all.flip);
@@ -53,8 +69,7 @@ std::string textOf(const CompareCommand& command, const Measured& all, bool with
     channel["rmse"] = d.rmse;
     channel["relmse"] = d.relativeMse;
   }
-  // File names need not be UTF-8.
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+  return dumped(json);
 }
 
 /// Creates a folder if needed.
@@ -62,11 +77,11 @@ std::filesystem::path folderFor(const std::string& name) {
   std::error_code error;
   std::filesystem::create_directories(name, error);
   if (error)
-    throw Error(ExitCode::Output, "cannot make the folder \"" + name + "\": " + error.message());
+    throw Error(ExitCode::Output, "cannot create the folder \"" + name + "\": " + error.message());
   return name;
 }
 
-/// Writes FOLDER/difference.exr and .png. The latter shows `pixels`.
+/// Writes FOLDER/difference.exr and, in false colours, `pixels` as difference.png.
 void writeDifference(const CompareCommand& command, const Image& a, const Image& b,
                      const std::vector<double>& pixels) {
   const std::filesystem::path folder = folderFor(command.out);
@@ -75,9 +90,9 @@ void writeDifference(const CompareCommand& command, const Image& a, const Image&
   writePng((folder / "difference.png").string(), drawDistances(pixels, a.width, a.height));
 }
 
-std::string textOf(const CompareCommand& command, const NoiseTest& test) {
+std::string textOf(const CompareCommand& command, nlohmann::ordered_json json,
+                   const NoiseTest& test) {
   if (command.json) {
-    nlohmann::ordered_json json = {{"a", command.a}, {"b", command.b}};
     json["noise"] = {{"significance", command.limits.significance},
                      {"pass", command.limits.pass},
                      {"pixels", test.pixels},
@@ -85,7 +100,7 @@ std::string textOf(const CompareCommand& command, const NoiseTest& test) {
                      {"smallestP", test.smallest},
                      {"mean", {{"relativeDifference", test.meanDifference}, {"p", test.meanP}}},
                      {"equal", test.passed}};
-    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+    return dumped(json);
   }
   return fmt::format(
       "noise: {:.4f} % of {} pixels agree, {:.4f} % must; smallest p {:.3g}\n"
@@ -97,24 +112,24 @@ std::string textOf(const CompareCommand& command, const NoiseTest& test) {
 }
 
 /// FOLDER/p.exr and p.png: the corrected p of each pixel, in the picture as 1 - p.
-void writeNoise(const CompareCommand& command, const NoiseTest& test, const Image& like) {
+void writeNoise(const CompareCommand& command, const NoiseTest& test, const Image& a) {
   const std::filesystem::path folder = folderFor(command.out);
-  Image p = blackImage(like.width, like.height, {"p"});
-  p.window = like.window;
-  std::vector<double> apart;
+  Image p = blackImage(a.width, a.height, {"p"});
+  p.window = a.window;
+  std::vector<double> oneMinusP;
   for (std::size_t i = 0; i < test.p.size(); ++i) {
     p.pixels[i] = static_cast<float>(test.p[i]);
-    apart.push_back(1.0 - test.p[i]);
+    oneMinusP.push_back(1.0 - test.p[i]);
   }
   writeExr((folder / "p.exr").string(), p,
            {{"comments", "p of equal expectations: " + command.a + " and " + command.b}});
-  writePng((folder / "p.png").string(), drawDistances(apart, like.width, like.height));
+  writePng((folder / "p.png").string(), drawDistances(oneMinusP, a.width, a.height));
 }
 
-ExitCode runNoise(const CompareCommand& command, const Image& a, const Image& b) {
+ExitCode runNoise(const CompareCommand& command, const Image& a, const Image& b, bool cut) {
   const std::array files = {command.a, command.b};
   const NoiseTest test = testNoise(a, b, command.limits, filterReachOf(files));
-  std::cout << textOf(command, test);
+  std::cout << textOf(command, filesOf(command, a, cut), test);
   flushStandardOutput();
   if (!command.out.empty()) writeNoise(command, test, a);
   return test.passed ? ExitCode::Ok : ExitCode::Different;
@@ -125,14 +140,15 @@ ExitCode runNoise(const CompareCommand& command, const Image& a, const Image& b)
 ExitCode run(const CompareCommand& command) {
   Image a = withoutPrefix(readExr(command.a));
   Image b = withoutPrefix(readExr(command.b));
-  if (cutToShared(a, b) && !command.json)
+  const bool cut = cutToShared(a, b);
+  if (cut && !command.json)
     std::cout << fmt::format("compared where both have pixels: {}x{} from ({}, {})\n", a.width,
                              a.height, a.window.x, a.window.y);
-  if (command.noise) return runNoise(command, a, b);
+  if (command.noise) return runNoise(command, a, b, cut);
   const Bound bound = boundOf(command);
   const Measured all = measure(a, b, bound);
   const bool within = figureOf(all, bound) <= limitOf(bound);
-  std::cout << textOf(command, all, within);
+  std::cout << textOf(command, filesOf(command, a, cut), all, within);
   flushStandardOutput();
   if (!command.out.empty()) writeDifference(command, a, b, all.pixels);
   return !command.tolerance || within ? ExitCode::Ok : ExitCode::Different;

@@ -10,7 +10,7 @@ namespace laver {
 
 /// An unexplained difference has the exit code of one that exceeds a tolerance.
 ExitCode run(const ExplainCommand& command) {
-  const Scene scene = sceneOf(command.scene);
+  const Scene scene = sceneOf(command.scene, command.overrides);
   const Explanation explanation = explain(scene, scene, command.vulkan);
   std::cout << describe(explanation);
   flushStandardOutput();

@@ -53,7 +53,7 @@ std::unique_ptr<Renderer> startRenderer(const RenderCommand& command) {
   return std::make_unique<Renderer>(command.vulkan);
 }
 
-/// The viewer and the window that the command requests; `viewed` may be null.
+/// The tev client and the window that the command requests; no window if `viewed` is null.
 std::vector<std::unique_ptr<Observer>> viewersOf(const RenderCommand& command, const Scene& scene,
                                                  const std::string& name, ViewedPictures* viewed) {
   std::vector<std::unique_ptr<Observer>> viewers;
@@ -158,7 +158,15 @@ ExitCode run(const RenderCommand& command, ViewedPictures* viewed) {
   flushStandardOutput();  // fail before a long render rather than after it
   Progress progress(!command.quiet);
   const RenderOptions options = optionsOf(command, {&interruption, &progress}, viewers);
-  Ended ended = renderWith(renderer.get(), scene, options, std::move(state));
+  Ended ended = [&] {
+    try {
+      return renderWith(renderer.get(), scene, options, std::move(state));
+    } catch (...) {
+      print(command, "failed.\n");
+      std::cout.flush();
+      throw;
+    }
+  }();
   const Rendered& rendered = ended.rendered;
   print(command, fmt::format("{}. (took {})\n", rendered.whole() ? "done" : "stopped",
                              timeText(ended.seconds)));

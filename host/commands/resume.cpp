@@ -13,8 +13,8 @@
 namespace laver {
 namespace {
 
-constexpr const char* kRows = "samplesByRow";  // for example 341x64 427x16
-constexpr const char* kFinished = "rowsWithoutSums";
+constexpr const char* kRows = "samplesByRow";  // rows x samples, from the top: 341x64 427x16
+constexpr const char* kRowsWithoutSums = "rowsWithoutSums";
 constexpr const char* kDropped = "samplesDropped";
 constexpr const char* kHash = "hash";
 const std::string kPrefix = "state.";
@@ -31,7 +31,7 @@ std::string rowsText(const FilmState& state) {
   return text;
 }
 
-/// The inverse of rowsText(); empty if the text is malformed or has another number of rows.
+/// The inverse of rowsText(); empty if the text does not list `height` rows.
 std::vector<std::uint32_t> rowsOf(const std::string& text, int height) {
   std::vector<std::uint32_t> samples;
   std::istringstream in(text);
@@ -47,13 +47,13 @@ std::vector<std::uint32_t> rowsOf(const std::string& text, int height) {
 std::map<std::string, std::string> texts(const FilmState& state) {
   std::map<std::string, std::string> all(state.settings.begin(), state.settings.end());
   all[kRows] = rowsText(state);
-  all[kFinished] = std::to_string(state.finishedRows);
+  all[kRowsWithoutSums] = std::to_string(state.finishedRows);
   all[kDropped] = std::to_string(state.dropped);
   return all;
 }
 
-/// Hash of the sums and of everything that describes them. EXR chunks that do not compress are
-/// stored without a checksum.
+/// Hash of the sums and of everything that describes them: EXR stores chunks that do not compress
+/// without a checksum.
 std::string hashOf(const FilmState& state) {
   Hash hash;
   for (const auto& [name, value] : texts(state)) {
@@ -83,7 +83,7 @@ FilmState readState(const std::filesystem::path& file) {
   };
   const std::string hash = take(kHash);
   state.samples = rowsOf(take(kRows), state.sums.height);
-  std::istringstream(take(kFinished)) >> state.finishedRows;
+  std::istringstream(take(kRowsWithoutSums)) >> state.finishedRows;
   std::istringstream(take(kDropped)) >> state.dropped;
   state.settings.assign(found.begin(), found.end());
   if (state.samples.empty() || hashOf(state) != hash)
@@ -112,19 +112,19 @@ FilmState stateOf(const RenderCommand& command, const std::filesystem::path& fil
   using Keep = FilmState::Keep;
   if (command.resume) {
     std::error_code ignored;
-    const bool there = std::filesystem::exists(file, ignored);
+    const bool exists = std::filesystem::exists(file, ignored);
     print(command,
-          there ? fmt::format("Going on from \"{}\"\n", file.string())
-                : fmt::format("No \"{}\": rendering from the first sample\n", file.string()));
-    return there ? readState(file) : FilmState(Keep::Always);
+          exists ? fmt::format("Going on from \"{}\"\n", file.string())
+                 : fmt::format("No \"{}\": rendering from the first sample\n", file.string()));
+    return exists ? readState(file) : FilmState(Keep::Always);
   }
   const bool fits = std::int64_t{camera.width} * camera.height <= kMaxPixelsKept;
   return FilmState(!command.reference && fits ? Keep::WhenEnded : Keep::Nothing);
 }
 
 std::string leaveState(const RenderCommand& command, const std::filesystem::path& file,
-                       const FilmState& state, bool more) {
-  if (more && !state.empty()) {
+                       const FilmState& state, bool continuable) {
+  if (continuable && !state.empty()) {
     writeState(file, state, command.options.threads);
     return fmt::format("; --resume goes on from \"{}\"", file.string());
   }

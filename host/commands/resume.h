@@ -10,7 +10,7 @@ namespace laver {
 /// The file of sums for a picture: a.state.exr for a.exr.
 std::filesystem::path statePath(std::filesystem::path exr);
 
-/// Reads a file of sums. Throws Error(Usage) if it is incomplete.
+/// Reads a file of sums. Throws Error(Usage) if it is damaged or no such file.
 FilmState readState(const std::filesystem::path& file);
 
 /// Writes a file of sums, replacing the file. Throws Error(Output).
@@ -21,9 +21,9 @@ void writeState(const std::filesystem::path& file, const FilmState& state, unsig
 FilmState stateOf(const RenderCommand& command, const std::filesystem::path& file,
                   const Camera& camera);
 
-/// Writes the sums if a later render can continue from them, or else removes the file. Returns a
-/// text about the sums.
+/// Writes the sums if a later render can continue from them; otherwise, with --resume, removes the
+/// file. Returns a text about the sums.
 std::string leaveState(const RenderCommand& command, const std::filesystem::path& file,
-                       const FilmState& state, bool more);
+                       const FilmState& state, bool continuable);
 
 }  // namespace laver

@@ -78,8 +78,8 @@ std::size_t layerChannels(const RenderOptions& options) {
 void checkMemory(const RenderCommand& command, const Scene& scene) {
   const Crop core = coreOf(scene.camera, command.options);
   const int width = core.x1 - core.x0, rows = rowsOf(stripsOf(scene, command.options));
-  // Layers: 4 bytes per channel, the same again while they are joined, and again for the file.
-  // Sums of variances are 128 bytes.
+  // Per channel of a layer: 4 bytes in its own image, 4 in the joined one, 4 for the file. The sums
+  // for the variance take 104 bytes, rounded up.
   const std::uint64_t sums = asks(command.options.layers, layers::variance) ? 128 : 0;
   const std::uint64_t bytes = (command.resume ? 88 : 24) + sums +
                               12 * layerChannels(command.options) +

@@ -12,9 +12,9 @@ namespace laver {
 /// or if a picture lacks R, G or B.
 std::vector<double> ldrFlip(const Image& a, const Image& reference);
 
-/// The same for all exposures of the reference at which something is seen, the largest value of
-/// each pixel: HDR-FLIP (Andersson et al., "Visualizing Errors in Rendered High Dynamic Range
-/// Images", Eurographics 2021), with the ACES tone mapper.
+/// The maximum per pixel over exposures, from the one that maps the reference's brightest pixel to
+/// 0.85 to the one that maps its median there: HDR-FLIP (Andersson et al., "Visualizing Errors in
+/// Rendered High Dynamic Range Images", Eurographics 2021), with the ACES tone mapper.
 std::vector<double> hdrFlip(const Image& a, const Image& reference);
 
 }  // namespace laver

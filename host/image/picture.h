@@ -29,8 +29,8 @@ Picture readPicture(const std::string& file, bool raw);
 Picture decodePng(std::span<const std::byte> bytes, bool raw);
 Bitmap decodeJpeg(std::span<const std::byte> bytes);
 
-/// Throws std::runtime_error for images of more than 2^27 pixels or 2^16 on a side. Called before
-/// memory is allocated for a size that a file claims.
+/// Throws std::runtime_error for images that are empty, over 2^27 pixels or over 2^16 on a side.
+/// The readers of PNG and JPEG call it before they allocate memory for the size in the file.
 void checkPictureSize(std::size_t width, std::size_t height);
 
 }  // namespace laver

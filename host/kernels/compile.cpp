@@ -22,8 +22,8 @@ namespace {
 constexpr int kRecipe = 2;
 
 /// lavapipe compiles a kernel that is already unrolled, inlined and cleaned up in 0.5 to 0.6 of the
-/// time. Loops are unrolled first, while their arithmetic is still in functions: spirv-opt's
-/// unrolling drops NoContraction, its inlining keeps it.
+/// time of the raw one. Loops are unrolled before inlining, while they hold calls instead of
+/// arithmetic: spirv-opt's unrolling drops NoContraction, its inlining keeps it.
 const std::vector<std::string> kUnroll = {"--merge-return",
                                           "--eliminate-local-single-block",
                                           "--eliminate-local-single-store",
@@ -64,6 +64,10 @@ struct Process {
       continue;
     lines += fmt::format("{}{}:{}: error: {}", lines.empty() ? "" : "\n", match[1].str(),
                          match[2].str(), match[3].str());
+    static const std::regex kProperty("'xml_(\\w+)' : undeclared identifier");
+    const std::string message = match[3].str();
+    if (std::smatch property; std::regex_match(message, property, kProperty))
+      lines += fmt::format("; the element in the scene has no property \"{}\"", property[1].str());
   }
   throw Error(ExitCode::Scene, lines.empty() ? log : lines);
 }

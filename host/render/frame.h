@@ -53,11 +53,11 @@ class Frame {
   shared::Pass passOverCentres(const Crop& band);
   /// Traces the pass's samples.
   void trace(const shared::Pass& pass);
-  /// The pass's samples, until the next one: of each slot radiance and x within its pixel, and y.
+  /// The pass's samples, valid until the next pass: one per slot, at (x, y) within its pixel.
   struct Traced {
-    std::span<const glm::vec4> values;
-    std::span<const float> inY;
-    std::span<const Crop> gathered;  ///< the pixels that show them
+    std::span<const glm::vec4> values;  ///< radiance, x
+    std::span<const float> inY;         ///< y
+    std::span<const Crop> gathered;     ///< pixels to which the samples contribute
   };
   Traced traced();
   /// Adds the pass's samples to the film's sums.

@@ -13,7 +13,7 @@ namespace {
 /// 256 KiB per query, or where several queries are answered at once, as for long paths, to 16 KiB.
 constexpr std::uint32_t kGroups = 1024, kGroupsOfPaths = 64;
 
-/// Queries answered by a dispatch. Lavapipe allows 65,535 iterations, some thousand in each.
+/// Queries per dispatch. Lavapipe allows 65,535 loop iterations; a query takes about 1,000.
 constexpr std::uint32_t kQueries = 64;
 constexpr std::uint32_t kAllQueries = 0xffffffff;
 

@@ -1,15 +1,15 @@
-// A thin lens: rays start at a point of the lens, uniform by area, and meet the pinhole's ray in the plane in
-// focus.
+// A thin lens: rays pass points of the lens that are uniform by area, and meet the pinhole's ray in the plane of
+// focus. Those of far cameras start later.
 #include "camera/pinhole.glsl"
 #include "shared/direction.h"
 
 const bool HAS_LENS = true;
 
-// Relative to its centre.
+// A point on the lens, relative to its centre.
 vec3 lensPoint(vec2 numbers) {
-  const vec2 turn = cosSinOfTurn(numbers.y);
+  const vec2 cosSin = cosSinOfTurn(numbers.y);
   const float radius = sqrt(numbers.x);
-  precise vec3 point = params.lensX * (radius * turn.x) + params.lensY * (radius * turn.y);
+  precise vec3 point = params.lensX * (radius * cosSin.x) + params.lensY * (radius * cosSin.y);
   return point;
 }
 

@@ -17,7 +17,7 @@ bool inRegion(int x, int y) {
 // weight makes zero. In adaptive passes it may be unwritten; they test the sample's share instead.
 int writtenSlot;
 
-// From the stored value, which outside the region may be that of any sample, with any inY.
+// The sample in a slot. Outside the region any written slot will do, with any inY: the weight is 0.
 Gathered gathered(ivec2 place, uint s, vec4 value, float inY) {
   const bool exists = inRegion(place.x, place.y);
   Gathered g = Gathered(value, exists ? inY : 0.0, 1.0);

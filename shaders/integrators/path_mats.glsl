@@ -1,5 +1,4 @@
-// Light transport by sampling the BSDF, along at most `max_depth` surfaces; 0: any number. Point lights are
-// not found.
+// Path tracing by BSDF sampling only, over at most `max_depth` surfaces (0: any number). It misses point lights.
 const bool SAMPLES_SOURCES = false;
 const bool SAMPLES_BSDF = true;
 const bool SHOWS_EMISSION = true;

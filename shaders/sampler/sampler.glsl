@@ -1,4 +1,4 @@
-// The random numbers of a sample: a stream of pairs, named by (pixel, sample, dimension). Dimension 0 is the
+// The random numbers of a sample: a stream of pairs, indexed by (pixel, sample, dimension). Dimension 0 is the
 // position on the film, dimension 1 the pair that Nori draws for the aperture. The sampler of the kernel
 // defines pairBits(), the pair as fractions in units of 2^-32.
 

@@ -8,10 +8,10 @@ LAVER_SHARED_BEGIN
 
 struct Point {
   vec3 position;   // by barycentrics: on the triangle up to rounding, however far the camera is
-  vec3 geometric;  // unit normal, oriented by the winding
+  vec3 geometric;  // unit normal by the winding and `flipped`; -direction if the area is 0
   float t;         // ray parameter, from the plane equation
   float offset;    // distance along the geometric normal by which a ray's origin is offset
-  vec3 weights;    // of the corners
+  vec3 weights;    // barycentric coordinates
 };
 
 // The upper 12 bits of a float's 24; the rest, x - upperHalf(x), has 12 bits too.
@@ -32,8 +32,8 @@ LAVER_FN float accurateDifference(float a, float b, float c, float d) {
   return result;
 }
 
-// a x b. The plane's normal decides t: for a sliver of aspect ratio 1e4, plain products put t off
-// by 160 ulp.
+// a x b. t depends on the plane's normal: for a sliver of aspect ratio 1e4, t errs by 160 ulp with
+// plain products.
 LAVER_FN vec3 accurateCross(vec3 a, vec3 b) {
   return vec3(accurateDifference(a.y, b.z, a.z, b.y), accurateDifference(a.z, b.x, a.x, b.z),
               accurateDifference(a.x, b.y, a.y, b.x));
@@ -49,6 +49,8 @@ LAVER_FN vec3 unitOr(vec3 v, vec3 otherwise) {
 
 LAVER_FN float largestOf(float a, float b, float c) { return max(abs(a), max(abs(b), abs(c))); }
 
+// Only for hits that edgesOf() accepts. The direction has any length; `flipped` reverses the
+// normal.
 LAVER_FN Point pointAt(vec3 origin, vec3 direction, vec3 a, vec3 b, vec3 c, bool flipped) {
   const Shear shear = shearOf(direction);
   const vec3 pa = permute(shear, a - origin);
@@ -66,8 +68,8 @@ LAVER_FN Point pointAt(vec3 origin, vec3 direction, vec3 a, vec3 b, vec3 c, bool
   const vec3 n = accurateCross(b - a, c - a) * (flipped ? -1.0f : 1.0f);
   p.geometric = unitOr(n, unitOr(-direction, vec3(0.0f, 0.0f, 1.0f)));
 
-  // Distance to the plane, or the edge functions' depth where the plane is seen edge-on; either is
-  // clamped to the depths of the corners.
+  // The depth of the plane along the ray, or that of the edge functions where the plane is seen
+  // edge-on; either is clamped to the depths of the corners.
   const float across = dotProduct(n, direction);
   const float scale = abs(alongAxis(direction, shear.axis));
   const float nearest = min(pa.z, min(pb.z, pc.z)), farthest = max(pa.z, max(pb.z, pc.z));
@@ -75,9 +77,9 @@ LAVER_FN Point pointAt(vec3 origin, vec3 direction, vec3 a, vec3 b, vec3 c, bool
       across != 0.0f ? dotProduct(n, a - origin) / across * scale : depthOf(e, pa.z, pb.z, pc.z);
   p.t = max(nearest, min(depth, farthest)) / scale;
 
-  // 8 * 2^-24 * (|n| . max |corner|), at most 8 ulp. With e = 2^-24, `position` is off its plane by
-  // e |position| and 3 e of its distance from a, on each axis; the rest covers the dot products of
-  // the plane-side test.
+  // 8 e (|g| . max |corner|), with e = 2^-24, g the unit normal, |.| and max per component.
+  // `position` is off its plane by e |position| and 3 e of its distance from a, on each axis; the
+  // rest covers the dot products of the plane-side test.
   const vec3 largest =
       vec3(largestOf(a.x, b.x, c.x), largestOf(a.y, b.y, c.y), largestOf(a.z, b.z, c.z));
   const vec3 tilt = vec3(abs(p.geometric.x), abs(p.geometric.y), abs(p.geometric.z));
@@ -88,7 +90,7 @@ LAVER_FN Point pointAt(vec3 origin, vec3 direction, vec3 a, vec3 b, vec3 c, bool
 // The shading normal at `p`, interpolated from the vertex normals of its corners.
 LAVER_FN vec3 shadingNormal(Point p, vec3 na, vec3 nb, vec3 nc) {
   LAVER_PRECISE vec3 m = na * p.weights.x + nb * p.weights.y + nc * p.weights.z;
-  // A sum shorter than 2^-22 of unit normals' sum is only rounding error.
+  // A weighted sum of unit normals that is shorter than 2^-22 is only rounding error.
   return dotProduct(m, m) > 5.7e-14f ? unitOr(m, p.geometric) : p.geometric;
 }
 

@@ -6,9 +6,9 @@
 
 namespace laver::test {
 
-/// Greatest share of pixels that may differ from the reference for reasons of rounding. Rounding
-/// moves samples by about 1e-3 pixels, an edge passes most pixels of a detailed picture, and some
-/// ten samples contribute to a pixel.
+/// Maximum share of pixels that rounding may change: it moves samples by about 1e-3 pixels, edges
+/// cross most pixels of a detailed picture, and about ten samples contribute to a pixel: 1e-2,
+/// doubled.
 inline constexpr double kMaxExplained = 0.02;
 
 /// Expects few differences beyond `tolerance`, all of them explained.

@@ -62,6 +62,15 @@ TEST_F(OwnIntegrator, AnErrorNamesItsFileAndLine) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "a.exr"));
 }
 
+TEST_F(OwnIntegrator, AnErrorNamesThePropertyThatIsMissing) {
+  write("mine.glsl",
+        std::string(kGrey).replace(std::string(kGrey).find("xml_grey"), 8, "xml_gray"));
+  EXPECT_EQ(render().err,
+            "mine.glsl:3: error: 'xml_gray' : undeclared identifier; the element in the scene has "
+            "no property \"gray\"\n");
+  EXPECT_TRUE(laver("s.xml --device $device -o a.exr").out.ends_with("Rendering .. failed.\n"));
+}
+
 TEST_F(OwnIntegrator, IncludesLaversOwnFilesAndNoOthers) {
   write("other.glsl", "");
   write("mine.glsl", std::string("#include \"shared/direction.h\"\n") + kGrey);

@@ -207,7 +207,7 @@ TEST(DistantDisk, OfAnySizeSendsWhatItsSolidAngleSays) {
   }
 }
 
-/// Walls of albedo 1/2 that emit 1/2: each point sends 1 in all directions. The mean of n samples
+/// Walls of albedo 1/2 that emit 1/2: the outgoing radiance is 1 everywhere. The mean of n samples
 /// with standard deviation s lies within 4 s / sqrt(n) but for one case in 15,000.
 TEST(Furnace, InAClosedRoomEachPointSendsOne) {
   for (const char* name : {"path_mats", "path_ems", "path_mis"}) {

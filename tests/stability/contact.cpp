@@ -17,16 +17,16 @@ namespace {
 
 using glm::dvec3;
 
-/// A floor with a plate over its middle at height `gap`, rotated by a frame. Two box corners fix
-/// the scene's extent, so that the floor lies at `level` of its half-width.
+/// A floor, tilted or not, and a smaller plate at `gap` above its middle. Specks in two opposite
+/// corners fix the scene's box; the floor is `level` half-widths of the box from its centre.
 struct Contact {
   Contact(double theScale, double level, bool tilted, double gap) : scale(theScale) {
     normal = tilted ? glm::normalize(dvec3(0.3, -0.5, 0.8)) : dvec3(0, 0, 1);
     u = tilted ? glm::normalize(glm::cross(normal, dvec3(0.1, 1.0, 0.2))) : dvec3(1, 0, 0);
     v = glm::cross(normal, u);
     origin = level * normal;
-    // A camera that sees all from outside, so that the scene is an ordinary one: its triangles are
-    // those of the file, unsplit, centred on their box (render/space.h).
+    // The camera sees the scene from outside, far enough away that triangles are uploaded as they
+    // are, unsplit and centred on their box: an ordinary scene (render/space.h).
     scene.camera.toWorld[3] = glm::dvec4(0.0, 0.0, -6.0 * scale, 1.0);
     scene.meshes = {gridMesh(4, [&](double x, double y) { return at(0.5 * x, 0.5 * y, 0.0); }),
                     gridMesh(4, [&](double x, double y) { return at(0.3 * x, 0.3 * y, gap); })};

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <map>
 
 #include "bvh/walk.h"
 #include "pictures/harness.h"
@@ -120,7 +121,9 @@ LAVER_STABILITY(Order, "Ties: child order, triangle order, node width, traversal
   trees.push_back({"two children a node",
                    {withTwoChildren(sheets.sorted.bvh), withTwoChildren(sheets.listed)}});
 
-  std::vector<TestHit> wanted;
+  // Of the first tree. Twins with fused operations round differently from the traversals, so each
+  // is compared with itself.
+  std::map<const Twin*, std::vector<TestHit>> wantedOf;
   std::vector<std::uint32_t> naiveWanted;
   Bitmap before(kSide, kSide, {}), after(kSide, kSide, {});
   for (const auto& [name, tree] : trees) {
@@ -132,9 +135,7 @@ LAVER_STABILITY(Order, "Ties: child order, triangle order, node width, traversal
     for (std::size_t i = 0; i < rays.size(); ++i) naiveDiffer += winners[i] != naiveWanted[i];
     for (const auto& subject : subjects(tree.first)) {
       const auto hits = subject->closest(rays);
-      // Twins with fused operations round differently: each is compared with itself on the first
-      // tree, the traversals with each other.
-      if (subject->twin != nullptr) continue;
+      std::vector<TestHit>& wanted = wantedOf[subject->twin];
       if (wanted.empty()) wanted = hits;
       std::uint64_t differ = 0;
       for (std::size_t i = 0; i < hits.size(); ++i) {
@@ -146,6 +147,7 @@ LAVER_STABILITY(Order, "Ties: child order, triangle order, node width, traversal
       record.add({name, subject->name, rays.size(),
                   same ? std::nullopt : std::optional(static_cast<double>(naiveDiffer)),
                   static_cast<double>(differ), 0.0, "hits"});
+      if (subject->twin != nullptr) continue;
       for (std::size_t y = 0; y < kSide; ++y)
         for (std::size_t x = 0; x < kSide; ++x) {
           const std::size_t i = (y * side + x) * step, p = y * kSide + x;

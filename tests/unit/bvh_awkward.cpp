@@ -96,6 +96,21 @@ TEST(BvhAwkward, SpacedByPowersOfTwo) {
   expectHandled(triangles);
 }
 
+TEST(BvhAwkward, OutliersAtGrowingDistances) {
+  // Each split separates some outliers, so that the range of all others is still large where ranges
+  // are halved.
+  auto triangles = randomTriangles(kAwkward, 0.01F);
+  for (auto& t : triangles)
+    for (glm::vec3* p : {&t.a, &t.b, &t.c}) *p *= 0x1p-80F;
+  for (int axis = 0; axis < 3; ++axis)
+    for (int i = 0; i < 120; ++i) {
+      Triangle& t = triangles[static_cast<std::size_t>(120 * axis + i)];
+      const float shift = std::ldexp(1.0F, i - 60);
+      for (glm::vec3* p : {&t.a, &t.b, &t.c}) (*p)[axis] += shift;
+    }
+  expectHandled(triangles);
+}
+
 TEST(BvhAwkward, LargestFloats) {
   // Sums of corners and areas overflow: the tree may be poor but must be valid.
   auto triangles = randomTriangles(kAwkward, 0.1F);

@@ -39,6 +39,7 @@ TEST(Cli, EachSubcommandIsAJob) {
   EXPECT_EQ(commandOf<CompareCommand>("compare a.exr b.exr").tolerance, std::nullopt);
   EXPECT_EQ(commandOf<CompareCommand>("compare a.exr b.exr --tolerance 0").tolerance, 0.0);
   EXPECT_EQ(commandOf<ExplainCommand>("explain a.xml --traversal lane").vulkan.traversal, "lane");
+  EXPECT_EQ(commandOf<ExplainCommand>("explain a.xml --size 3x4").overrides.size, glm::ivec2(3, 4));
   EXPECT_TRUE(commandOf<PlanCommand>("plan a.xml --json").json);
   EXPECT_EQ(commandOf<TestCommand>("test folder --jobs 3").jobs, 3U);
   EXPECT_EQ(commandOf<ChartCommand>("chart a.xml --runs 3").runs, 3U);
@@ -95,7 +96,10 @@ TEST(Cli, ErrorsSayWhatWasExpected) {
   EXPECT_EQ(errorOf("compare a.exr"), "B.exr is required");
   EXPECT_NE(errorOf("schema --json --markdown"), "no error");
   EXPECT_EQ(errorOf("explain"), "SCENE.xml is required");
-  EXPECT_EQ(errorOf("plan a.xml b.xml"), "The following argument was not expected: b.xml");
+  EXPECT_EQ(errorOf("plan a.xml b.xml"), "unexpected argument b.xml; see laver plan --help");
+  EXPECT_EQ(errorOf("explain a.xml --spp 4"),
+            "unexpected argument --spp; see laver explain --help");
+  EXPECT_EQ(errorOf("a.xml --sppp 4"), "unexpected argument --sppp; see laver --help");
 }
 
 TEST(Cli, SizesAreAboveZero) {

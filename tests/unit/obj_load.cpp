@@ -94,7 +94,7 @@ TEST(ObjLoad, EmptyPartsAndPart0AreAbsent) {
 }
 
 TEST(ObjLoad, ConcavePolygonsAreCutInTheirPlane) {
-  // An L in the plane y = 2, whose fan from any corner but one covers ground outside.
+  // An L in the plane y = 2. Only fans from its corners 1 and 4 stay inside; the face starts at 3.
   const std::string points = "v 0 2 0\nv 0 2 2\nv 1 2 2\nv 1 2 1\nv 2 2 1\nv 2 2 0\n";
   const auto before = parsed(points + "f 3 4 5 6 1 2\n");
   const auto after = parsed("f 3 4 5 6 1 2\n" + points);

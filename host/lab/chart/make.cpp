@@ -71,8 +71,8 @@ std::optional<Chart> makeChart(const Options& options) {
   std::error_code error;
   std::filesystem::create_directories(options.folder, error);
   if (error)
-    throw Error(ExitCode::Output,
-                fmt::format("cannot make the folder \"{}\": {}", options.folder, error.message()));
+    throw Error(ExitCode::Output, fmt::format("cannot create the folder \"{}\": {}", options.folder,
+                                              error.message()));
   try {
     return make(options);
   } catch (const Stopped&) {

@@ -5,8 +5,9 @@
 #include "reference/sampler.h"
 
 /// Nori's sampler: every block of 32 x 32 pixels of the full film, clipped at the border, has its
-/// own PCG32 with state block x + seed and sequence block y + seed, which draws four numbers per
-/// sample: y and x of the film position, then of the aperture. Further dimensions are hashed.
+/// own PCG32, with state x + seed and sequence y + seed for a first pixel (x, y). It draws four
+/// numbers per sample: y and x of the film position, then of the aperture. Further dimensions are
+/// hashed.
 namespace laver::reference::independent {
 
 namespace {
@@ -29,7 +30,7 @@ Pcg32 generatorAt(const Camera& camera, const Sampler& sampler, const PixelSampl
 
 }  // namespace
 
-// The sum pixel + number is rounded to float.
+// The sum is rounded to float, and may be the next pixel's edge.
 glm::vec2 position(const Camera& camera, const Sampler& sampler, const PixelSample& at) {
   Pcg32 random = generatorAt(camera, sampler, at);
   const float jitterY = random.nextFloat();
