@@ -3,7 +3,8 @@
 
 Renders all parts of a scene one after the other, as machines like this one would at the same time, and merges
 them: the farm's time is that of the slowest part, and of the merge. Prints a table, and how the time would go on
-falling by the law time = fixed + work / N, with the fixed share of one part and the work of the whole picture.
+falling by the law time = fixed + skew * work / N, with the fixed share of one part, the work of the whole picture
+and the skew (slowest / mean) of the largest number of parts.
 
     tests/bench/farm.py build/laver scene.xml [--parts 1,2,4,8,16] [--rounds 3] [options of laver]
 """
@@ -67,12 +68,12 @@ def main():
             rows[count] = row
             print(f"| {count} | {row['slowest']:.2f} | {row['merge']:.2f} | {row['all']:.2f} | {row['fixed']:.2f} | "
                   f"{row['work']:.2f} | {row['skew']:.2f} |", flush=True)
-    fixed = rows[counts[-1]]["fixed"]
+    fixed, skew = rows[counts[-1]]["fixed"], rows[counts[-1]]["skew"]
     work = rows[counts[0]]["work"]
-    print(f"\nfixed {fixed:.2f} s, work {work:.2f} s: half of the machines' time is work with {work / fixed:.0f} parts, "
-          f"90 % with {max(1, work / fixed / 9):.0f}")
-    print("by fixed + work / N, s: " +
-          ", ".join(f"{n} parts {fixed + work / n:.2f}" for n in (32, 64, 128, 256, 1024)))
+    print(f"\nfixed {fixed:.2f} s, work {work:.2f} s: machines spend half of their time on work with "
+          f"{max(1, work / fixed):.0f} parts, 90 % with {max(1, work / fixed / 9):.0f}")
+    print("by fixed + skew * work / N, s: " +
+          ", ".join(f"{n} parts {fixed + skew * work / n:.2f}" for n in (32, 64, 128, 256, 1024)))
 
 
 if __name__ == "__main__":
