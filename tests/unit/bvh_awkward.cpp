@@ -103,9 +103,9 @@ TEST(BvhAwkward, OutliersAtGrowingDistances) {
   for (auto& t : triangles)
     for (glm::vec3* p : {&t.a, &t.b, &t.c}) *p *= 0x1p-80F;
   for (int axis = 0; axis < 3; ++axis)
-    for (int i = 0; i < 120; ++i) {
-      Triangle& t = triangles[static_cast<std::size_t>(120 * axis + i)];
-      const float shift = std::ldexp(1.0F, i - 60);
+    for (int i = 0; i < 105; ++i) {
+      Triangle& t = triangles[static_cast<std::size_t>(105 * axis + i)];
+      const float shift = std::ldexp(1.0F, i - 65);
       for (glm::vec3* p : {&t.a, &t.b, &t.c}) (*p)[axis] += shift;
     }
   expectHandled(triangles);
