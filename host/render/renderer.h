@@ -23,8 +23,6 @@ struct VulkanOptions {
   bool poisoned = false;              ///< for tests: samples are NaN until they are traced
   std::vector<std::string> general;   ///< for tests: parts of generalParts()
   bool keepsKernels = false;          ///< for tests: renders take kernels from earlier ones
-
-  bool operator==(const VulkanOptions&) const = default;
 };
 
 /// Renders on a Vulkan device, which starts on another thread while the scene is loaded.

@@ -24,7 +24,7 @@ struct Adaptive {
 inline Adaptive renderTo(const Scene& scene, const RenderOptions& options,
                          const VulkanOptions& vulkan = onTestDevice()) {
   Stats stats;
-  Rendered rendered = renderedBy(vulkan, scene, options, stats);
+  Rendered rendered = Renderer(vulkan).render(scene, options, stats);
   EXPECT_TRUE(rendered.whole());
   return {std::move(rendered.image), std::move(stats.adaptive)};
 }

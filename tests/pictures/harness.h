@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -118,23 +117,10 @@ inline Mesh quad(const std::array<glm::dvec3, 4>& corners, const glm::dvec3& alb
   return mesh;
 }
 
-/// Renders with one renderer for all renders of a process that have these options, which keeps its
-/// kernels. Renders with validation have their own: at exit the validation layer ends first.
-inline Rendered renderedBy(VulkanOptions vulkan, const Scene& scene, const RenderOptions& options,
-                           Stats& stats) {
-  if (vulkan.validate) return Renderer(vulkan).render(scene, options, stats);
-  static std::vector<std::pair<VulkanOptions, std::unique_ptr<Renderer>>> renderers;
-  vulkan.keepsKernels = true;
-  for (const auto& [known, renderer] : renderers)
-    if (known == vulkan) return renderer->render(scene, options, stats);
-  renderers.emplace_back(vulkan, std::make_unique<Renderer>(vulkan));
-  return renderers.back().second->render(scene, options, stats);
-}
-
 inline Image render(const Scene& scene, const VulkanOptions& vulkan = onTestDevice(),
                     const RenderOptions& options = {}) {
   Stats stats;
-  Rendered rendered = renderedBy(vulkan, scene, options, stats);
+  Rendered rendered = Renderer(vulkan).render(scene, options, stats);
   EXPECT_EQ(rendered.droppedSamples, 0U) << scene.file;
   return std::move(rendered.image);
 }

@@ -70,7 +70,7 @@ LAVER_STABILITY(Geometry, "Bad geometry: stated behaviour, with the message") {
     VulkanOptions vulkan;
     vulkan.device = testDevice();
     Stats stats;
-    const Image image = renderedBy(vulkan, scene, {}, stats).image;
+    const Image image = Renderer(vulkan).render(scene, {}, stats).image;
     EXPECT_EQ(stats.droppedSamples, 0U) << bad.name;
     // n| is a unit vector wherever the square is; here it faces the camera.
     const bool right = std::abs(image.at(32, 20, 2) - 1.0F) < 1e-6F &&

@@ -65,7 +65,7 @@ LAVER_STABILITY(Lights, "A light at height 1 to 0, on and behind the surface") {
       vulkan.device = testDevice();
       vulkan.traversal = traversal;
       Stats stats;
-      const Image image = renderedBy(vulkan, scene, {}, stats).image;
+      const Image image = Renderer(vulkan).render(scene, {}, stats).image;
       const Reference reference(scene);
       // The camera looks at the floor at a right angle; its corners are at most sqrt(6) away.
       const double deltaP =
