@@ -133,16 +133,18 @@ class Builder {
                   node.choices);
   }
 
+  /// None from a depth on, so that the range is halved.
+  static Split bestOf(const Range& range, const Bins& bins, const Binning& binning) {
+    return range.depth < kSahDepth ? bins.cheapest(binning) : Split{};
+  }
+
   std::pair<Range, Range> split(const Range& range) {
     const BuildItem* items = itemsOf(range);
     const ItemBounds bounds = boundsOf(items, range.count);
     const Binning binning(bounds.centroids, range.count);
-    Split best;
-    if (range.depth < kSahDepth) {
-      Bins bins(binning.bins());
-      bins.add(binning, items, range.count);
-      best = bins.cheapest(binning);
-    }
+    Bins bins(binning.bins());
+    bins.add(binning, items, range.count);
+    const Split best = bestOf(range, bins, binning);
     if (best.axis < 0) return halve(range, bounds);
     BuildItem* out = targetOf(range);
     place(items, range.count, binning, best, out, 0, best.leftCount);
@@ -173,7 +175,7 @@ class Builder {
     });
     Bins bins(binning.bins());
     for (const Bins& b : binsOf) bins.add(b);
-    const Split best = range.depth < kSahDepth ? bins.cheapest(binning) : Split{};
+    const Split best = bestOf(range, bins, binning);
     if (best.axis < 0) return halve(range, bounds);
     // Left items before each piece: items keep their order.
     std::vector<std::uint32_t> leftBefore(pieces + 1, 0);

@@ -44,8 +44,8 @@ inline constexpr double kUnitRoundoff = 0x1p-24;
 ///    slopes (3.5 e of the distance), 11 e R by the blocker's edges. In a wide space R is that of
 ///    the hit or of the blocker, whichever reaches farther.
 ///
-/// So a camera ray is off by an angle of at most e (rotation + 6 R / d), where e rotation is the
-/// sum of part 1, and a hit is lit like a point within an angle of e (rotation + 64 R / d) of it.
+/// So a camera ray is off by an angle of at most e (rotation + 6 R / d), with the sum of part 1
+/// as e rotation, and a hit is lit like a point within an angle of e (rotation + 64 R / d) of it.
 /// Shadows of a blocker near the light, or on a surface that the light grazes, may move farther
 /// than the sum of 3 and 4: that is not bounded, but edges are in practice much shorter than 2 R.
 class Rounding {

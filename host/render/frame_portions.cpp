@@ -13,7 +13,7 @@ namespace {
 /// 256 KiB per query, or where several queries are answered at once, as for long paths, to 16 KiB.
 constexpr std::uint32_t kGroups = 1024, kGroupsOfPaths = 64;
 
-/// Queries per dispatch. Lavapipe allows 65,535 loop iterations; a query takes about 1,000.
+/// Queries per dispatch: lavapipe's 65,535 loop iterations leave about 1,000 to each.
 constexpr std::uint32_t kQueries = 64;
 constexpr std::uint32_t kAllQueries = 0xffffffff;
 

@@ -1,5 +1,5 @@
 // A thin lens: rays pass points of the lens that are uniform by area, and meet the pinhole's ray in the plane of
-// focus. Those of far cameras start later.
+// focus. Those of far cameras start on a plane before the scene.
 #include "camera/pinhole.glsl"
 #include "shared/direction.h"
 
